@@ -1,0 +1,1 @@
+"""Points, predicates and squared distances over the rationals: part of the trusted kernel."""

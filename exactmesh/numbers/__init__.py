@@ -1,0 +1,1 @@
+"""Exact scalars: part of the trusted kernel."""

@@ -1,0 +1,1 @@
+"""Planar straight-line graphs: their records, validation, half-edges and faces."""

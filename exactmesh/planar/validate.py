@@ -1,0 +1,178 @@
+"""Decide exactly, by one sweep, that a PSLG is one, and what lies directly below each vertex.
+
+The sweep is Shamos and Hoey's ("Geometric intersection problems", 1976): vertices in lexicographic order, the edges
+cut by the sweep line in vertical order, two edges compared when they become neighbours. The first place where two
+features meet is found before the order is first wrong. O((n + m) log n) predicates; no recursion.
+"""
+
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cmp_to_key
+
+from exactmesh.errors import GeometryError
+from exactmesh.geometry.filtered import FilteredPoints
+from exactmesh.geometry.point import Point
+from exactmesh.geometry.predicates import line_crossing
+from exactmesh.planar.pslg import Edge, Pslg
+
+
+class VerticesCoincide(GeometryError):
+    """Two vertices are the same point."""
+
+    def __init__(self, first: int, second: int, at: Point) -> None:
+        super().__init__(f"vertices {first} and {second} coincide at {at}")
+        self.first, self.second, self.at = first, second, at
+
+
+class VertexOnEdge(GeometryError):
+    """A vertex lies in the interior of an edge."""
+
+    def __init__(self, vertex: int, edge: int, ends: Edge, at: Point) -> None:
+        super().__init__(f"vertex {vertex} lies on edge {edge} {ends} at {at}")
+        self.vertex, self.edge, self.ends, self.at = vertex, edge, ends, at
+
+
+class EdgesOverlap(GeometryError):
+    """Two edges share more than a point."""
+
+    def __init__(self, first: int, second: int, ends: tuple[Edge, Edge], at: Point) -> None:
+        super().__init__(f"edges {first} {ends[0]} and {second} {ends[1]} overlap from {at}")
+        self.first, self.second, self.ends, self.at = first, second, ends, at
+
+
+class EdgesCross(GeometryError):
+    """Two edges meet in a point interior to both."""
+
+    def __init__(self, first: int, second: int, ends: tuple[Edge, Edge], at: Point) -> None:
+        super().__init__(f"edges {first} {ends[0]} and {second} {ends[1]} cross at {at}")
+        self.first, self.second, self.ends, self.at = first, second, ends, at
+
+
+class HolePointOnBoundary(GeometryError):
+    """A hole point lies on a vertex or an edge, so it marks no face."""
+
+    def __init__(self, hole: int, feature: str, at: Point) -> None:
+        super().__init__(f"hole point {hole} at {at} lies on {feature}: it must lie inside a face")
+        self.hole, self.at = hole, at
+
+
+@dataclass(frozen=True, slots=True)
+class Below:
+    """The edge met first on the way down from each vertex and hole point; -1 where there is none.
+
+    Down is the direction (0, -1), turned infinitesimally clockwise so that no edge is vertical. Edges at a vertex
+    itself do not count.
+    """
+
+    vertex: tuple[int, ...]
+    hole: tuple[int, ...]
+
+
+def validate(pslg: Pslg) -> Below:
+    """Return what lies below each vertex and hole point of a PSLG without defects.
+
+    Raises the `GeometryError` of the first defect met from left to right: `VerticesCoincide`, `VertexOnEdge`,
+    `EdgesOverlap`, `EdgesCross`, `HolePointOnBoundary`.
+    """
+    return _Sweep(pslg).run()
+
+
+class _Sweep:
+    """One sweep. `status` holds the active edges from below; `right[e]`, `left[e]` are an edge's ends in sweep order."""
+
+    def __init__(self, pslg: Pslg) -> None:
+        self.pslg = pslg
+        self.count = len(pslg.vertices)
+        self.points: Sequence[Point] = pslg.vertices + pslg.holes
+        self.orientation = FilteredPoints(self.points).orientation
+        self.left: list[int] = []
+        self.right: list[int] = []
+        self.starting: list[list[int]] = [[] for _ in range(self.count)]
+        self.status: list[int] = []
+        for edge, (u, v) in enumerate(pslg.edges):
+            if self.points[v] < self.points[u]:
+                u, v = v, u
+            self.left.append(u)
+            self.right.append(v)
+            self.starting[u].append(edge)
+
+    def run(self) -> Below:
+        below = [-1] * len(self.points)
+        # A hole point sorts after a vertex at the same place, which is then in `previous`.
+        order = sorted(range(len(self.points)), key=lambda v: (self.points[v], v))
+        previous = -1
+        for v in order:
+            if previous >= 0 and self.points[v] == self.points[previous]:
+                self._coincide(previous, v)
+            if v < self.count:
+                previous = v
+            below[v] = self._pass(v)
+        return Below(tuple(below[: self.count]), tuple(below[self.count :]))
+
+    def _coincide(self, first: int, second: int) -> None:
+        at = self.points[first]
+        if second >= self.count:
+            raise HolePointOnBoundary(second - self.count, f"vertex {first}", at)
+        raise VerticesCoincide(first, second, at)
+
+    def _pass(self, v: int) -> int:
+        """Move the sweep line over the point v; return the edge directly below it."""
+        orientation, left, right, status = self.orientation, self.left, self.right, self.status
+
+        def height(edge: int) -> int:
+            return -orientation(left[edge], right[edge], v)
+
+        low = bisect_left(status, 0, key=height)
+        high = low
+        while high < len(status) and (right[status[high]] == v or height(status[high]) == 0):
+            if right[status[high]] != v:
+                self._on_edge(v, status[high])
+            high += 1
+        below = status[low - 1] if low else -1
+        if v >= self.count:
+            return below
+        starting = self._sorted_by_slope(v)
+        status[low:high] = starting
+        high = low + len(starting)
+        if low and low < len(status):
+            self._compare(status[low - 1], status[low])
+        if starting and high < len(status):
+            self._compare(status[high - 1], status[high])
+        return below
+
+    def _on_edge(self, v: int, edge: int) -> None:
+        if v >= self.count:
+            raise HolePointOnBoundary(v - self.count, self._named(edge), self.points[v])
+        raise VertexOnEdge(v, edge, self.pslg.edges[edge], self.points[v])
+
+    def _named(self, edge: int) -> str:
+        return f"edge {edge} {self.pslg.edges[edge]}"
+
+    def _sorted_by_slope(self, v: int) -> list[int]:
+        """Return the edges that start at v from below; raise when two of them leave in one direction."""
+        starting = self.starting[v]
+        if len(starting) < 2:
+            return starting
+        turn = self.orientation
+        ordered = sorted(starting, key=cmp_to_key(lambda e, f: turn(v, self.right[f], self.right[e])))
+        for e, f in zip(ordered, ordered[1:], strict=False):
+            if turn(v, self.right[e], self.right[f]) == 0:
+                first, second = sorted((e, f))
+                edges = self.pslg.edges
+                raise EdgesOverlap(first, second, (edges[first], edges[second]), self.points[v])
+        return ordered
+
+    def _compare(self, e: int, f: int) -> None:
+        """Raise when the neighbours e and f, neither of which is behind the sweep line, cross or touch."""
+        a, b, c, d = self.left[e], self.right[e], self.left[f], self.right[f]
+        if a == c or b == d:
+            return
+        turn = self.orientation
+        sides_e = turn(a, b, c) * turn(a, b, d)
+        sides_f = turn(c, d, a) * turn(c, d, b)
+        if sides_e < 0 and sides_f < 0:
+            at = line_crossing(*(self.points[i] for i in (a, b, c, d)))
+            first, second = sorted((e, f))
+            raise EdgesCross(first, second, (self.pslg.edges[first], self.pslg.edges[second]), at)
+        # An end on the other edge is met again, as a vertex on an edge, when the sweep line reaches it.
