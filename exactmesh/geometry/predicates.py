@@ -15,12 +15,12 @@ def doubled_area(a: Point, b: Point, c: Point) -> mpq:
 
 def orientation(a: Point, b: Point, c: Point) -> int:
     """Return 1 when a, b, c turn left, -1 when they turn right, 0 when collinear or not all distinct."""
-    return sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x))
+    return int(sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)))
 
 
 def is_ahead(a: Point, b: Point, c: Point) -> bool:
     """Return whether the walk a, b, c goes on forwards at b: (b - a) . (c - b) > 0."""
-    return (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) > 0
+    return bool((b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) > 0)
 
 
 def is_between(a: Point, p: Point, b: Point) -> bool:

@@ -86,9 +86,12 @@ def _rotation(pslg: Pslg) -> list[list[int]]:
         u, v = edges[h >> 1]
         return minus(points[v], points[u]) if h & 1 == 0 else minus(points[u], points[v])
 
+    def counter_clockwise(h: int, k: int) -> int:
+        return _angular_order(direction(h), direction(k))
+
     for leaving in rotation:
         if len(leaving) > 2:
-            leaving.sort(key=cmp_to_key(lambda h, k: _angular_order(direction(h), direction(k))))
+            leaving.sort(key=cmp_to_key(counter_clockwise))
     return rotation
 
 

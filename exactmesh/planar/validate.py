@@ -155,7 +155,11 @@ class _Sweep:
         if len(starting) < 2:
             return starting
         turn = self.orientation
-        ordered = sorted(starting, key=cmp_to_key(lambda e, f: turn(v, self.right[f], self.right[e])))
+
+        def steeper(e: int, f: int) -> int:
+            return turn(v, self.right[f], self.right[e])
+
+        ordered = sorted(starting, key=cmp_to_key(steeper))
         for e, f in zip(ordered, ordered[1:], strict=False):
             if turn(v, self.right[e], self.right[f]) == 0:
                 first, second = sorted((e, f))

@@ -1,0 +1,1 @@
+"""Reading and writing files: the exact formats of `exactmesh`, and those it reads besides."""

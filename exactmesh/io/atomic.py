@@ -1,0 +1,55 @@
+"""Write a text file so that it appears whole or not at all."""
+
+import contextlib
+import os
+import secrets
+import shutil
+import sys
+from pathlib import Path
+
+from exactmesh.errors import InputError
+from exactmesh.io.text import printable
+
+
+def write_text(path: str, text: str) -> None:
+    """Write `text`, as UTF-8, to the file `path`, or to standard output when `path` is `-`.
+
+    The text goes to a new file in the same folder, which takes the place of `path` once it is on the disk:
+    whatever interrupts the writing, `path` holds the old text or the new one, and the new file is gone. A
+    link is followed, and permissions are kept. Only what is no regular file (a pipe, a terminal) is written
+    in place.
+
+    Raises `InputError`, which begins with the path, when the system refuses.
+    """
+    name = "standard output" if path == "-" else printable(path)
+    try:
+        if path == "-":
+            sys.stdout.write(text)
+            sys.stdout.flush()
+        elif os.path.exists(path) and not os.path.isfile(path):
+            Path(path).write_text(text, encoding="utf-8", newline="\n")
+        else:
+            _replace(os.path.realpath(path), text)
+    except OSError as error:
+        raise InputError(f"{name}: cannot be written: {error.strerror or error}") from error
+    except ValueError as error:
+        # A NUL in the path, or a lone surrogate in path or text: no such file can be made.
+        raise InputError(f"{name}: cannot be written: {error}") from error
+
+
+def _replace(path: str, text: str) -> None:
+    # The name does not grow with the file's own, which may be as long as the system allows.
+    temporary = os.path.join(os.path.dirname(path), f".exactmesh-{secrets.token_hex(8)}.tmp")
+    try:
+        # Mode "x" never opens a file of someone else, and permissions follow the umask, unlike `mkstemp`.
+        with open(temporary, "x", encoding="utf-8", newline="\n") as file:
+            if os.path.exists(path):
+                shutil.copymode(path, temporary)
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(temporary)
+        raise

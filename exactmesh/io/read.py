@@ -1,0 +1,158 @@
+"""Read a file of any known format, recognized by its content; a misleading file name does no harm.
+
+Every error is one line that begins with the path.
+"""
+
+import hashlib
+import os
+import re
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Literal
+
+from exactmesh.errors import FormatError, InputError
+from exactmesh.io.geojson import pslg_from_geojson_value
+from exactmesh.io.mesh_json import mesh_from_json
+from exactmesh.io.pslg_json import pslg_from_value
+from exactmesh.io.strict_json import Json, described, parse_json
+from exactmesh.io.text import printable, quoted, text_from_bytes
+from exactmesh.io.triangle_poly import pslg_from_poly
+from exactmesh.io.wkt import KINDS, pslg_from_wkt
+from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.pslg import Pslg
+
+Syntax = Literal["json", "wkt", "poly"]
+
+_KNOWN = "exactmesh-pslg/1, GeoJSON, WKT and Triangle's .poly"
+# Asked only when the content says nothing: then the reader of that format has the better message.
+_BY_EXTENSION: dict[str, Syntax] = {".json": "json", ".geojson": "json", ".wkt": "wkt", ".poly": "poly"}
+_WORD = re.compile(r"[A-Za-z]+")
+_WHOLE = re.compile(r"\d+", re.ASCII)
+_FIRST_LINE_BUT_COMMENTS = re.compile(r"(?:\s|#.*)*([^\n#]*)")
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A PSLG and the file it comes from.
+
+    `sha256` is of the file's bytes, followed by those of the `.node` file if the vertices are in one.
+    """
+
+    pslg: Pslg
+    sha256: str
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class MeshSource:
+    """A mesh and the file it comes from; `sha256` is of the bytes."""
+
+    mesh: Mesh
+    sha256: str
+    path: str
+
+
+def read_pslg(path: str) -> Source:
+    """Return the PSLG in the file `path`, or on standard input when `path` is `-`.
+
+    Raises `InputError` when the file cannot be read, and `FormatError` when it is not of a known format.
+    """
+    with _blaming(path):
+        data = _bytes(path)
+        digest = hashlib.sha256(data)
+
+        def node_text() -> str:
+            node = os.path.splitext(path)[0] + ".node"
+            try:
+                node_data = _bytes(node)
+            except InputError as error:
+                raise InputError(f"the vertices are in {printable(node)}: {error}") from error
+            digest.update(node_data)
+            return text_from_bytes(node_data)
+
+        pslg = _pslg(text_from_bytes(data), path, None if path == "-" else node_text)
+        return Source(pslg, digest.hexdigest(), path)
+
+
+def read_mesh(path: str) -> MeshSource:
+    """Return the exactmesh-mesh/1 in the file `path`, or on standard input when `path` is `-`.
+
+    Raises `InputError` when the file cannot be read, and `FormatError` when it is not a mesh.
+    """
+    with _blaming(path):
+        data = _bytes(path)
+        text = text_from_bytes(data)
+        if _syntax(text, path) != "json":
+            raise FormatError("", f"not a mesh: exactmesh-mesh/1 is expected, not {quoted(text.lstrip())}")
+        return MeshSource(mesh_from_json(text), hashlib.sha256(data).hexdigest(), path)
+
+
+@contextmanager
+def _blaming(path: str) -> Iterator[None]:
+    """Put the path before the message of every `InputError`."""
+    name = "standard input" if path == "-" else printable(path)
+    try:
+        yield
+    except FormatError as error:
+        raise FormatError(f"{name}: {error.place}" if error.place else name, error.reason) from error
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from error
+
+
+def _bytes(path: str) -> bytes:
+    """Return the bytes of a file; raises `InputError` without the path."""
+    try:
+        if path == "-":
+            return sys.stdin.buffer.read()
+        with open(path, "rb") as file:
+            return file.read()
+    except FileNotFoundError:
+        raise InputError("no such file") from None
+    except IsADirectoryError:
+        raise InputError("this is a directory") from None
+    except PermissionError:
+        raise InputError("permission denied") from None
+    except OSError as error:
+        raise InputError(f"cannot be read: {error.strerror or error}") from error
+    except ValueError as error:
+        # A NUL or a lone surrogate in the path: there is no such file.
+        raise InputError(f"cannot be read: {error}") from error
+
+
+def _syntax(text: str, path: str) -> Syntax:
+    """Return the syntax of a text that is not blank; `FormatError` when neither it nor its name says."""
+    start = text.lstrip()
+    if start[0] in '{["':
+        return "json"
+    word = _WORD.match(start)
+    if word and word[0].upper() in (*KINDS, "SRID"):
+        return "wkt"
+    line = _FIRST_LINE_BUT_COMMENTS.match(start)
+    tokens = line[1].split() if line else []
+    if tokens and all(map(_WHOLE.fullmatch, tokens)):
+        return "poly"
+    hint = _BY_EXTENSION.get(os.path.splitext(path)[1].lower())
+    if hint is None:
+        raise FormatError("", f"not a format we know: it begins with {quoted(start)}; known are {_KNOWN}")
+    return hint
+
+
+def _pslg(text: str, path: str, node_text: Callable[[], str] | None) -> Pslg:
+    match _syntax(text, path):
+        case "json":
+            return _pslg_from_json(parse_json(text))
+        case "wkt":
+            return pslg_from_wkt(text)
+        case "poly":
+            return pslg_from_poly(text, node_text)
+
+
+def _pslg_from_json(value: Json) -> Pslg:
+    if isinstance(value, dict) and "format" in value:
+        return pslg_from_value(value)
+    if isinstance(value, dict) and "type" in value:
+        return pslg_from_geojson_value(value)
+    what = 'an object without "format" or "type"' if isinstance(value, dict) else described(value)
+    raise FormatError("", f"not a format we know: the JSON is {what}; known are {_KNOWN}")

@@ -1,0 +1,58 @@
+"""The repaired construction: a nonproper triangulation of every face, with degradation below 21.6."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from gmpy2 import mpq
+
+from exactmesh.geometry.point import Point
+from exactmesh.planar.faces import Subdivision
+from exactmesh.planar.mesh import Mesh
+from exactmesh.steps.interior import triangulate_interior
+from exactmesh.steps.offset import offset
+from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
+from exactmesh.steps.shape import shape_of
+from exactmesh.steps.trapezoidation import trapezoidate
+from exactmesh.steps.tube import triangulate_tube
+
+
+@dataclass(frozen=True, slots=True)
+class Construction:
+    """The result of every step, in units of `shape.unit`, and the finished mesh."""
+
+    shape: Shape
+    offset: Offset
+    trapezoidation: Trapezoidation
+    interior: Patch
+    tube: Patch
+    mesh: Mesh
+
+    @property
+    def points(self) -> tuple[Point, ...]:
+        """All vertices, in units of `shape.unit`."""
+        return (self.shape.points + self.offset.points + self.trapezoidation.points + self.interior.points
+                + self.tube.points)
+
+
+def construct(subdivision: Subdivision, mfs_squared: mpq, progress: Callable[[str], None] = lambda step: None
+              ) -> Construction:
+    """Return the mesh of the domain of `subdivision`, step by step; `progress` is told the name of each step.
+
+    Raises `ConstructionFailed` when a step finds no triangulation, which would be a counterexample to the design.
+    """
+    shape = shape_of(subdivision, mfs_squared)
+    progress("offset")
+    q = offset(shape)
+    progress("trapezoidation")
+    chords = trapezoidate(q)
+    points = [*shape.points, *q.points, *chords.points]
+    progress("interior")
+    interior = triangulate_interior(q, chords, points)
+    points += interior.points
+    progress("tube")
+    chord_ends = [(edge, chords.first + i) for i, edge in enumerate(chords.edge)]
+    tube = triangulate_tube(shape, q, chord_ends + list(interior.on_edge), points)
+    points += tube.points
+    scaled = tuple(Point(p.x * shape.unit, p.y * shape.unit) for p in points[len(shape.points) :])
+    mesh = Mesh("nonproper", subdivision.pslg.vertices + scaled, shape.triangles + interior.faces + tube.faces)
+    return Construction(shape, q, chords, interior, tube, mesh)

@@ -1,0 +1,122 @@
+"""Offset every face inwards by a fixed octagon, with all vertices on levels: P to Q (in place of paper §2, P2 to P4).
+
+In      `Shape`.
+Out     `Offset`.
+Exact   rational: the normal (-dy, dx) of an edge enters only through signs; a convex corner is a crossing of two
+        lines. Levels are y = (j + 1/2) g with integer j; x is kept, y goes to the nearest level.
+Paper   takes a disc of radius 1/4, replaces arcs by chords and snaps each vertex by itself. Here the body K1 has its
+        vertices half a level off the levels, so the cap of a reflex corner moves rigidly when it is snapped, and the
+        body is enlarged beforehand by what snapping can take away.
+Check   `offset_check.py`
+"""
+
+from collections.abc import Iterator
+
+from gmpy2 import mpq
+
+from exactmesh.geometry.point import Point, cross, dot, minus
+from exactmesh.geometry.predicates import line_crossing
+from exactmesh.steps.constants import FLAT, LEVEL, WIDE
+from exactmesh.steps.records import Offset, Shape
+
+_HALF = mpq(1, 2)
+# The vertices of K1 counter-clockwise, as (x, number of the level relative to the centre's): y = (number + 1/2) g.
+_BODY = ((WIDE, -1), (WIDE, 0), (FLAT, 1), (-FLAT, 1), (-WIDE, 0), (-WIDE, -1), (-FLAT, -2), (FLAT, -2))
+_BODY_POINTS = tuple(Point(x, (j + _HALF) * LEVEL) for x, j in _BODY)
+_SIZE = len(_BODY)
+
+
+def offset(shape: Shape) -> Offset:
+    """Return the inner offset of every face of `shape`, one ring a walk and one an isolated vertex."""
+    build = _Build(shape)
+    for walks, isolated in zip(shape.faces, shape.isolated, strict=True):
+        for walk in walks:
+            build.ring(walk)
+        for v in isolated:
+            build.ring_around(v)
+    return build.finished()
+
+
+class _Build:
+    """Collects the vertices of Q ring by ring."""
+
+    def __init__(self, shape: Shape) -> None:
+        self.shape = shape
+        self.x: list[mpq] = []
+        self.level: list[int] = []
+        self.corner: list[int] = []
+        self.source: list[int] = []
+        self.rings: list[tuple[int, int]] = []
+
+    def ring(self, walk: tuple[int, ...]) -> None:
+        start = len(self.x)
+        for incoming, outgoing in zip((walk[-1], *walk[:-1]), walk, strict=True):
+            for x, level in self._corner(incoming, outgoing):
+                self._add(x, level, outgoing, source=-1)
+            self.source[-1] = outgoing
+        self.rings.append((start, len(self.x)))
+
+    def ring_around(self, v: int) -> None:
+        start = len(self.x)
+        for x, level in self._placed(self.shape.points[v], range(_SIZE - 1, -1, -1)):
+            self._add(x, level, -1 - v, source=-1)
+        self.rings.append((start, len(self.x)))
+
+    def finished(self) -> Offset:
+        points = tuple(Point(x, (j + _HALF) * LEVEL) for x, j in zip(self.x, self.level, strict=True))
+        return Offset(len(self.shape.points), tuple(self.x), tuple(self.level), tuple(self.corner),
+                      tuple(self.source), tuple(self.rings), points)
+
+    def _add(self, x: mpq, level: int, corner: int, source: int) -> None:
+        self.x.append(x)
+        self.level.append(level)
+        self.corner.append(corner)
+        self.source.append(source)
+
+    def _corner(self, incoming: int, outgoing: int) -> Iterator[tuple[mpq, int]]:
+        """Yield the vertices of Q of one corner as (x, level), in the order of the walk."""
+        points, origin = self.shape.points, self.shape.origin
+        p = points[origin[outgoing]]
+        before, after = points[origin[incoming]], points[origin[outgoing ^ 1]]
+        e0, e1 = minus(p, before), minus(after, p)
+        ext0, ext1 = _extreme(e0), _extreme(e1)
+        common = [k for k in ext0 if k in ext1]
+        turn = cross(e0, e1)
+        is_reflex = turn < 0 or (turn == 0 and dot(e0, e1) < 0)
+        if common:
+            yield from self._placed(p, common[:1])
+        elif is_reflex:
+            yield from self._placed(p, _clockwise_run(ext0, ext1))
+        else:
+            k0, k1 = _BODY_POINTS[ext0[0]], _BODY_POINTS[ext1[0]]
+            met = line_crossing(_plus(before, k0), _plus(p, k0), _plus(p, k1), _plus(after, k1))
+            yield met.x, _floor(met.y / LEVEL)
+
+    @staticmethod
+    def _placed(p: Point, run: "range | list[int]") -> Iterator[tuple[mpq, int]]:
+        """Yield vertices of the body about p, moved rigidly so that its centre's y is a whole number of levels."""
+        whole = _floor(p.y / LEVEL + _HALF)
+        for k in run:
+            x, level = _BODY[k]
+            yield p.x + x, whole + level
+
+
+def _extreme(edge: Point) -> list[int]:
+    """Return the one or two vertices of K1 farthest along the inner normal (-dy, dx) of an edge."""
+    values = [cross(edge, k) for k in _BODY_POINTS]
+    most = max(values)
+    return [k for k, value in enumerate(values) if value == most]
+
+
+def _clockwise_run(ext0: list[int], ext1: list[int]) -> list[int]:
+    """Return the shortest run of body vertices met clockwise from one of `ext0` to one of `ext1`."""
+    return min(([(k - i) % _SIZE for i in range((k - last) % _SIZE + 1)] for k in ext0 for last in ext1), key=len)
+
+
+def _plus(a: Point, b: Point) -> Point:
+    return Point(a.x + b.x, a.y + b.y)
+
+
+def _floor(value: mpq) -> int:
+    """One rounding for all vertices, which keeps it monotone: caps and convex corners agree on ties."""
+    return int(value.numerator // value.denominator)
