@@ -3,6 +3,7 @@
 Every error is one line that begins with the path.
 """
 
+import gc
 import hashlib
 import os
 import re
@@ -59,7 +60,7 @@ def read_pslg(path: str) -> Source:
 
     Raises `InputError` when the file cannot be read, and `FormatError` when it is not of a known format.
     """
-    with _blaming(path):
+    with _blaming(path), _collector_paused():
         data = _bytes(path)
         digest = hashlib.sha256(data)
 
@@ -81,7 +82,7 @@ def read_mesh(path: str) -> MeshSource:
 
     Raises `InputError` when the file cannot be read, and `FormatError` when it is not a mesh.
     """
-    with _blaming(path):
+    with _blaming(path), _collector_paused():
         data = _bytes(path)
         text = text_from_bytes(data)
         if _syntax(text, path) != "json":
@@ -99,6 +100,22 @@ def _blaming(path: str) -> Iterator[None]:
         raise FormatError(f"{name}: {error.place}" if error.place else name, error.reason) from error
     except InputError as error:
         raise InputError(f"{name}: {error}") from error
+
+
+@contextmanager
+def _collector_paused() -> Iterator[None]:
+    """Keep the cycle collector from walking the records again and again while they grow.
+
+    They hold no cycles, so it would find nothing; without it a file of a million vertices is read in half the
+    time.
+    """
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
 
 
 def _bytes(path: str) -> bytes:

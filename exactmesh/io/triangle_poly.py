@@ -89,7 +89,7 @@ class _Lines:
         """Read the line of whole numbers, at most `width`, that begins with the count of a section."""
         tokens = self.read(f"the number of {section}")
         if len(tokens) > width:
-            raise FormatError(self.place(), f"the line of the number of {section} has at most {width} numbers, "
+            raise FormatError(self.place(), f"the number of {section} stands in a line of at most {width}, "
                                             f"not {len(tokens)}")
         return [self.whole(token, f"the number of {section}") for token in tokens]
 

@@ -1,28 +1,33 @@
 """Intervals that certainly contain a real number: the filter in front of every exact sign.
 
-An end is an MPFR number, and every operation rounds the low end down and the high end up at a stated precision, so the
-result contains every value that the operands allow. MPFR rounds each operation correctly (www.mpfr.org, "MPFR Basics");
-it comes with gmpy2, which the kernel needs anyway. An end that overflows is infinite or not a number; no comparison with
-that decides, so the interval only becomes useless, not wrong.
+An end is an MPFR number, and every operation rounds the low end down and the high end up at a stated
+precision, so the result contains every value that the operands allow. MPFR rounds each operation correctly
+(www.mpfr.org, "MPFR Basics"); it comes with gmpy2, which the kernel needs anyway. Overflow, beyond
+2**(10**9), raises `gmpy2.OverflowResultError`, so no end is ever infinite or not a number; underflow widens
+to zero.
 """
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
+from typing import Any, Protocol
 
 from gmpy2 import RoundDown, RoundUp, context, mpfr, mpq, mpz
 
 FIRST_BITS = 64
+# Beyond this, `sign_of` multiplies out; by then an undecided sign is most often a zero.
+LAST_FILTER_BITS = 512
 
 
 @lru_cache(maxsize=256)
 def _rounding(bits: int) -> tuple[Any, Any]:
     """Return the contexts of `bits` bits that round down and up."""
-    return context(precision=bits, round=RoundDown), context(precision=bits, round=RoundUp)
+    down = context(precision=bits, round=RoundDown, trap_overflow=True, trap_invalid=True)
+    up = context(precision=bits, round=RoundUp, trap_overflow=True, trap_invalid=True)
+    return down, up
 
 
 class Interval:
-    """The reals from `low` to `high`; ring operations with intervals, int, mpz and mpq enclose the exact result."""
+    """The reals from `low` to `high`; + - * with intervals, int, mpz and mpq enclose the exact result."""
 
     __slots__ = ("bits", "high", "low")
 
@@ -38,7 +43,7 @@ class Interval:
         return cls(mpfr(value, 0, down), mpfr(value, 0, up), bits)
 
     def sign(self) -> int | None:
-        """Return the sign of every number inside, or None when they differ or an end is not a number."""
+        """Return the sign of every number inside, or None when they differ."""
         if self.low > 0:
             return 1
         if self.high < 0:
@@ -96,7 +101,7 @@ class Interval:
 
 
 def sign_by_widening(enclosure: Callable[[int], Interval]) -> int:
-    """Return the sign of a number that is known not to be zero, from `enclosure(bits)` at 64, 128, 256, ... bits.
+    """Return the sign of a number known not to be zero, from `enclosure(bits)` at 64, 128, 256, ... bits.
 
     The loop ends because the intervals shrink to a number that is not zero; nothing else bounds it.
     """
@@ -106,3 +111,24 @@ def sign_by_widening(enclosure: Callable[[int], Interval]) -> int:
         if sign:
             return sign
         bits *= 2
+
+
+class Enclosed(Protocol):
+    """An exact number that can be enclosed, such as `exactmesh.numbers.algebraic.Real`."""
+
+    def interval(self, bits: int) -> Interval: ...
+
+
+def sign_of(polynomial: Callable[..., Any], *values: Enclosed) -> int:
+    """Return the exact sign of polynomial(*values), which uses + - * on its arguments and rationals.
+
+    `polynomial` is called with intervals of 64, 128, 256 and 512 bits, and with `values` themselves only if
+    zero is inside all of these: most signs cost no exact product. It must not branch on its arguments.
+    """
+    bits = FIRST_BITS
+    while bits <= LAST_FILTER_BITS:
+        sign = polynomial(*[value.interval(bits) for value in values]).sign()
+        if sign is not None:
+            return int(sign)
+        bits *= 2
+    return int(polynomial(*values).sign())

@@ -1,15 +1,17 @@
 """Square roots of positive integers, up to rational factors: the basis in which sums of roots are written.
 
-sqrt(n) and sqrt(m) are rational multiples of each other exactly when n * m is a perfect square, and square roots of
-positive integers no two of which are such multiples are linearly independent over Q (Besicovitch 1940, "On the linear
-independence of fractional powers of integers"). A `Radical` is such a class, with one of its integers written out.
+sqrt(n) and sqrt(m) are rational multiples of each other exactly when n * m is a perfect square, and square
+roots of positive integers no two of which are such multiples are linearly independent over Q (Besicovitch
+1940, "On the linear independence of fractional powers of integers"). A `Radical` is such a class, with one of
+its integers written out.
 
-No integer is factored. Squares of primes below 4096 are divided out, and a cofactor that is a perfect square; a square
-of a larger prime may stay hidden, so classes are compared by `is_square`, not by their integers. The hash depends on
-the class only: it is made of the small square-free part and of Legendre symbols of the rest, which a square changes not.
+No integer is factored. Squares of primes below 4096 are divided out, and a cofactor that is a perfect square;
+a square of a larger prime may stay hidden, so classes are compared by `is_square`, not by their integers. The
+hash depends on the class only: it is made of the small square-free part and of Legendre symbols of the rest,
+which a square changes not.
 """
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from functools import lru_cache
 
 from gmpy2 import gcd, is_square, isqrt, legendre, mpz, next_prime, primorial
@@ -25,16 +27,15 @@ MAX_RANK = 10
 
 
 class TooManyRoots(ArithmeticError):
-    """A division or a square root mixes more independent square roots than can be treated; `limit` says how many."""
+    """An operation mixes more independent square roots than can be treated; `limit` says how many."""
 
     def __init__(self, limit: int) -> None:
-        super().__init__(f"a division or square root would mix more than {limit} independent square roots; "
-                         "sums, products, signs and comparisons have no such limit")
+        super().__init__(f"more than {limit} independent square roots would be mixed")
         self.limit = limit
 
 
 class Radical:
-    """The class of sqrt(n) modulo rational factors. Equal means that the product of the integers is a square."""
+    """The class of sqrt(n) modulo rational factors: equal when the product of the integers is a square."""
 
     __slots__ = ("_hash", "n")
 
@@ -49,6 +50,9 @@ class Radical:
         if self is other:
             return True
         return isinstance(other, Radical) and (self.n == other.n or bool(is_square(self.n * other.n)))
+
+    def __reduce__(self) -> tuple[Callable[[mpz], "Radical"], tuple[mpz]]:
+        return _written, (self.n,)
 
     def ratio(self, other: "Radical") -> tuple[mpz, mpz]:
         """Return integers a, b with sqrt(self.n) = a/b * sqrt(other.n), for an equal radical."""
@@ -79,6 +83,10 @@ def radical(n: mpz) -> tuple[mpz, Radical]:
     return q, Radical(n, hash((int(small), symbols)))
 
 
+def _written(n: mpz) -> Radical:
+    return radical(n)[1]
+
+
 @lru_cache(maxsize=1 << 16)
 def product(n: mpz, m: mpz) -> tuple[mpz, Radical]:
     """Return q and a radical r with sqrt(n) * sqrt(m) = q * sqrt(r.n)."""
@@ -101,8 +109,9 @@ def _prime_after(p: int) -> int:
 def separating_prime(moved: Radical, among: Collection[Radical]) -> int:
     """Return a prime p that divides none of `among` and modulo which `moved`, not ONE, is no square.
 
-    n -> Legendre symbol (n/p) is multiplicative, so multiplying each sqrt(n) by it is an automorphism of the field that
-    the radicals `among` generate, and it turns sqrt(moved) into -sqrt(moved). Half of all primes do.
+    n -> Legendre symbol (n/p) is multiplicative, so multiplying each sqrt(n) by it is an automorphism of the
+    field that the radicals `among` generate, and it turns sqrt(moved) into -sqrt(moved). Half of all primes
+    do.
     """
     p = 1 << 31
     while True:

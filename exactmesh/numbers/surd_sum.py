@@ -1,25 +1,36 @@
 """Sums of square roots: the field K generated over Q by the square roots of all positive integers.
 
-A value is a sum of c * sqrt(n) over radicals n of different classes, c rational and not zero. Such roots are linearly
-independent (see `radicals`), so the value is zero exactly when the sum is empty: no sign or equality needs a bound.
+A value is a sum of c * sqrt(n) over radicals n of different classes, c rational and not zero. Such roots are
+linearly independent (see `radicals`), so the value is zero exactly when the sum is empty: no sign or equality
+needs a bound.
 
-Automorphisms of K change signs of roots; `_split` picks one by a Legendre symbol. With u the part that it fixes and m
-the part that it negates, (u + m)(u - m) = u*u - m*m has smaller rank, which gives inverses, and square roots in K.
+Automorphisms of K change signs of roots; `_split` picks one by a Legendre symbol. With u the part that it
+fixes and m the part that it negates, (u + m)(u - m) = u*u - m*m has smaller rank, which gives inverses, and
+square roots in K.
 """
 
 from collections.abc import Iterable, Iterator
 
-from gmpy2 import gcd, is_square, isqrt, lcm, mpq, mpz
+from gmpy2 import gcd, lcm, legendre, mpq, mpz
 
 from exactmesh.numbers.interval import Interval, sign_by_widening
-from exactmesh.numbers.radicals import MAX_RANK, ONE, Radical, TooManyRoots, product, radical, rank, root_enclosure
-from exactmesh.numbers.radicals import separating_prime as separating_prime
+from exactmesh.numbers.radicals import (
+    MAX_RANK,
+    ONE,
+    Radical,
+    TooManyRoots,
+    product,
+    radical,
+    rank,
+    root_enclosure,
+    separating_prime,
+)
 
 _Terms = dict[Radical, tuple[Radical, mpq]]
 
 
 class SurdSum:
-    """An element of K: `terms` maps each class to the radical written and its coefficient. Never changed once made."""
+    """An element of K: `terms` maps each class to the radical written and its coefficient. Immutable."""
 
     __slots__ = ("terms",)
 
@@ -98,12 +109,13 @@ class SurdSum:
         return numerator * SurdSum({r: (r, 1 / (c * r.n))})
 
     def root(self) -> "SurdSum | None":
-        """Return a square root of self in K, of either sign, or None when there is none. Raises `TooManyRoots`.
+        """Return a square root of self in K, of either sign, None if there is none. Raises `TooManyRoots`.
 
-        Let s*s = self = u + m as in `_split`, and s' the image of s. The roots of x*x - 2*u*x + N, N = u*u - m*m, show
-        that K over the fixed field F of u, m*m contains s only if N = w*w with w in F, because the group is of
-        exponent two; w = s * s'. Then ((s + s') / 2)**2 = (u + w) / 2 =: x must have a root e, and s = e + m / (2*e).
-        Conversely such s squares to x + m + m*m / (4*x) = self, since (u + w)(u - w) = m*m.
+        Let s*s = self = u + m as in `_split`, and s' the image of s. The roots of x*x - 2*u*x + N, N = u*u -
+        m*m, show that K over the fixed field F of u, m*m contains s only if N = w*w with w in F, because the
+        group is of exponent two; w = s * s'. Then ((s + s') / 2)**2 = (u + w) / 2 =: x must have a root e,
+        and s = e + m / (2*e). Conversely such s squares to x + m + m*m / (4*x) = self, since (u + w)(u - w) =
+        m*m.
         """
         value = self.rational()
         if value is not None:
@@ -142,13 +154,13 @@ class SurdSum:
             yield c, () if r is ONE else (f"sqrt({r.n})",)
 
     def _split(self) -> tuple["SurdSum", "SurdSum"]:
-        """Return u and m != 0 with self = u + m, where some automorphism fixes u and negates m; self is irrational."""
+        """Return u and m != 0 with self = u + m, where an automorphism fixes u, negates m."""
         radicals = self.terms.keys()
         p = separating_prime(next(r for r in radicals if r is not ONE), radicals)
         fixed: _Terms = {}
         moved: _Terms = {}
         for r, c in self.terms.values():
-            (moved if _is_moved(r, p) else fixed)[r] = (r, c)
+            (moved if legendre(r.n, p) == -1 else fixed)[r] = (r, c)
         return SurdSum(fixed), SurdSum(moved)
 
     def _require_small_rank(self) -> None:
@@ -156,6 +168,38 @@ class SurdSum:
             if len(self.terms) > 1 << MAX_RANK:
                 raise TooManyRoots(MAX_RANK)
             rank(self.terms.keys())
+
+
+def total(values: Iterable[SurdSum]) -> SurdSum:
+    """Return the sum of all, in time linear in the number of terms."""
+    terms: _Terms = {}
+    for value in values:
+        for r, c in value.terms.values():
+            _accumulate(terms, r, c)
+    return SurdSum(terms)
+
+
+def _accumulate(terms: _Terms, r: Radical, c: mpq) -> None:
+    """Add c * sqrt(r.n) to `terms`, written with the radical that stands there already."""
+    held = terms.get(r)
+    if held is None:
+        terms[r] = (r, c)
+        return
+    written, d = held
+    if written is not r and written.n != r.n:
+        numerator, denominator = r.ratio(written)
+        c = c * numerator / denominator
+    if c + d:
+        terms[written] = (written, c + d)
+    else:
+        del terms[written]
+
+
+def _lies_in(w: SurdSum, fixed: SurdSum, moved: SurdSum) -> bool:
+    """Tell whether w lies in the field of the radicals of `fixed` and the quotients of those of `moved`."""
+    first = next(iter(moved.terms))
+    field = [*fixed.terms, *(product(r.n, first.n)[1] for r in moved.terms)]
+    return rank([*field, *w.terms]) == rank(field)
 
 
 ZERO = SurdSum({})

@@ -1,9 +1,10 @@
 """The constants of the repaired construction, and the bounds its checkers assert. Lengths are in units of mfs(P).
 
 `LEVEL` (g) is the spacing of the horizontal levels. The offset body K1 is the octagon with the vertices (+-a, +-3g/2)
-and (+-b, +-g/2), a = `FLAT`, b = `WIDE`: it holds K0 + S, where K0 = conv{(+-a, +-g), (+-b, 0)} contains the disc of
-radius g and S is the vertical segment of length g that snapping may use up. K2 = K1 + S is as far as anything
-reaches, with radius rho, rho^2 = a^2 + (2g)^2; rho < b is false, so F = 1 - 2 rho is what two offsets leave between.
+and (+-b, +-g/2), a = `FLAT`, b = `WIDE`. It is K0 + S: K0 = conv{(+-a, +-g), (+-b, 0)} contains the disc of radius g,
+and S, the vertical segment of length g about 0, is what snapping may use up on either side. Nothing reaches farther
+from its source than K2 = K1 + S, whose radius is rho = sqrt(a^2 + 4 g^2) = 0.470022...; two offsets of features at
+distance 1 therefore stay F = 1 - 2 rho = 0.05995... apart.
 """
 
 from gmpy2 import mpq
@@ -12,18 +13,26 @@ LEVEL = mpq(29, 125)
 FLAT = mpq(3, 40)
 WIDE = mpq(817, 2000)
 
-# Every face keeps at least this feature size; its inverse, 5/g = 21.5517, is the design value of the degradation.
+# Every face keeps at least this feature size; its inverse, 5/g = 21.5517, is what the degradation cannot exceed.
 FEATURE = LEVEL / 5
-FEATURE_SQUARED = FEATURE * FEATURE
+FEATURE_SQUARED = FEATURE**2
 
-# The bounds asserted on every run (DESIGN numbers rounded to the safe side where they are irrational).
+# The unit m is a rational at most this much, relatively, below the mfs.
+UNIT_SLACK = mpq(1, 10**6)
+
+# rho and F, rounded to the safe side because they are irrational.
 THICKNESS_MAX = mpq(4701, 10000)
 SEPARATION = mpq(599, 10000)
+# The least gap between two vertices of Q on one side of a chord: the width of a flat cap.
 GAP = 2 * FLAT
+# The same between vertices recorded on an edge of Q.
+EDGE_GAP = mpq(67, 500)
+
+# Room for m <= mfs above 5/g, and the two numbers the paper promises.
 DESIGN_DEGRADATION = mpq(108, 5)
 PAPER_DEGRADATION = mpq(45)
 PAPER_FEATURE = mpq(22, 1000)
-STEINER_PER_CORNER = 35
+VERTICES_PER_CORNER = 35
 
-# Wedges are cut off where a leg lies under more than this many heights of the opposite side.
+# A wedge is cut off where a leg lies under a side by more than this many heights of the trapezoid.
 WEDGE_HEIGHTS = 2

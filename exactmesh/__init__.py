@@ -1,0 +1,24 @@
+"""exactmesh: triangulations that provably keep the minimum feature size, on exact numbers.
+
+>>> import exactmesh
+>>> square = exactmesh.polygon([(0, 0), (4, 0), (4, 4), (0, 4)])
+>>> result = exactmesh.mesh(square)
+>>> result.holds, result.verification.valid
+(True, True)
+"""
+
+from exactmesh.api import Meshing, mesh, mfs, read, verify
+from exactmesh.errors import ConstructionFailed, FormatError, GeometryError, InputError
+from exactmesh.geometry.point import Point
+from exactmesh.measure.mfs import Nearest
+from exactmesh.measure.validity import Verification, Violation
+from exactmesh.measure.verdict import Verdict, Witness
+from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.pslg import Pslg, polygon
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "ConstructionFailed", "FormatError", "GeometryError", "InputError", "Mesh", "Meshing", "Nearest", "Point", "Pslg",
+    "Verdict", "Verification", "Violation", "Witness", "__version__", "mesh", "mfs", "polygon", "read", "verify",
+]

@@ -1,0 +1,150 @@
+"""The command line: arguments in, exit status out. No geometry here.
+
+Exit status: 0 all that was asked for holds; 1 a claim fails (results are still written, the witness is printed);
+2 usage or input refused; 130 interrupted.
+"""
+
+import argparse
+import hashlib
+import os
+import sys
+from collections.abc import Sequence
+
+import exactmesh
+from exactmesh import report
+from exactmesh.api import mesh, mfs, verify
+from exactmesh.data import example_names, example_path
+from exactmesh.errors import ConstructionFailed, InputError
+from exactmesh.io.atomic import write_text
+from exactmesh.io.mesh_json import json_from_mesh
+from exactmesh.io.read import read_mesh, read_pslg
+from exactmesh.io.svg import svg_from_mesh
+from exactmesh.numbers.rational import decimal_text, rational_from_text
+from exactmesh.progress import Progress
+
+HOLDS, FAILS, REFUSED, INTERRUPTED = 0, 1, 2, 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; return its exit status."""
+    args = _parser().parse_args(argv)
+    try:
+        status: int = args.run(args)
+        sys.stdout.flush()
+        return status
+    except InputError as error:
+        print(f"exactmesh: {error}", file=sys.stderr)
+        return REFUSED
+    except ConstructionFailed as error:
+        print(f"exactmesh: {error}\nThis is a counterexample to the construction: please report the input.",
+              file=sys.stderr)
+        return FAILS
+    except KeyboardInterrupt:
+        print("exactmesh: interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader of our output has gone; leave nothing for the interpreter to flush into the closed pipe.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return FAILS
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="exactmesh", description="Triangulate polygons and planar straight-line graphs with exact numbers so that "
+        "the minimum feature size (mfs) is kept up to a proven constant, and check every step.",
+        epilog="Exit status: 0 all that was asked for holds, 1 a claim fails, 2 usage or input refused, 130 "
+        "interrupted. A FILE is exactmesh-pslg/1, GeoJSON, WKT or Triangle's .poly; - is standard input.")
+    parser.add_argument("--version", action="version", version=f"exactmesh {exactmesh.__version__}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND")
+
+    command = commands.add_parser("mfs", help="the exact minimum feature size of a PSLG, with its witness")
+    command.add_argument("file", metavar="FILE")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    _add_quiet(command)
+    command.set_defaults(run=_mfs)
+
+    command = commands.add_parser("mesh", help="triangulate a PSLG, checking every step and the result")
+    command.add_argument("file", metavar="FILE")
+    command.add_argument("-o", "--output", metavar="OUT", help="write the mesh (exactmesh-mesh/1)")
+    command.add_argument("--report", metavar="R", help="write what was checked (exactmesh-report/1)")
+    command.add_argument("--svg", metavar="S", help="write a picture")
+    _add_quiet(command)
+    command.set_defaults(run=_mesh)
+
+    command = commands.add_parser("verify", help="decide whether a mesh, from anywhere, is valid, and its degradation")
+    command.add_argument("pslg", metavar="PSLG")
+    command.add_argument("mesh", metavar="MESH", help="exactmesh-mesh/1")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.add_argument("--max-degradation", metavar="D", help="also demand that the degradation is at most D")
+    _add_quiet(command)
+    command.set_defaults(run=_verify)
+
+    command = commands.add_parser("examples", help="list the real outlines that come along, or write one")
+    command.add_argument("name", metavar="NAME", nargs="?")
+    command.add_argument("-o", "--output", metavar="OUT", default="-", help="where to write it (default: -)")
+    command.set_defaults(run=_examples)
+    return parser
+
+
+def _add_quiet(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _mfs(args: argparse.Namespace) -> int:
+    with Progress(args.quiet):
+        nearest = mfs(read_pslg(args.file).pslg)
+    print(report.mfs_json(nearest) if args.json else report.mfs_text(nearest))
+    return HOLDS
+
+
+def _mesh(args: argparse.Namespace) -> int:
+    with Progress(args.quiet) as progress:
+        progress("reading")
+        source = read_pslg(args.file)
+        result = mesh(source.pslg, progress)
+        progress("writing")
+        text = json_from_mesh(result.mesh)
+        if args.output:
+            write_text(args.output, text)
+        if args.report:
+            digest = hashlib.sha256(text.encode()).hexdigest()
+            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, "repaired"))
+        if args.svg:
+            write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification))
+    if not args.quiet:
+        # A summary never mixes with a result that goes to standard output.
+        stream = sys.stderr if "-" in (args.output, args.report, args.svg) else sys.stdout
+        print(report.claims_text(result.judgements), report.verification_text(result.verification), sep="\n\n",
+              file=stream)
+    if not result.holds:
+        print(report.failures_text(result.judgements), file=sys.stderr)
+    return HOLDS if result.holds else FAILS
+
+
+def _verify(args: argparse.Namespace) -> int:
+    bound = None
+    if args.max_degradation is not None:
+        bound = rational_from_text(args.max_degradation, "--max-degradation")
+    if args.pslg == args.mesh == "-":
+        raise InputError("PSLG and MESH cannot both be standard input")
+    with Progress(args.quiet) as progress:
+        progress("reading")
+        pslg, candidate = read_pslg(args.pslg).pslg, read_mesh(args.mesh).mesh
+        progress("verification")
+        verification = verify(pslg, candidate)
+    print(report.verification_json(verification) if args.json else report.verification_text(verification))
+    if not verification.valid:
+        return FAILS
+    degradation = verification.degradation_squared
+    if bound is not None and degradation is not None and (bound < 0 or degradation > bound * bound):
+        print(f"exactmesh: the degradation is above {decimal_text(bound)}", file=sys.stderr)
+        return FAILS
+    return HOLDS
+
+
+def _examples(args: argparse.Namespace) -> int:
+    if args.name is None:
+        print("\n".join(example_names()))
+    else:
+        write_text(args.output, example_path(args.name).read_text(encoding="utf-8"))
+    return HOLDS

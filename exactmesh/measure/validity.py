@@ -1,0 +1,190 @@
+"""Decide whether a mesh is a valid mesh of a PSLG, from the definitions, for meshes of any origin.
+
+The clauses, each O(size) once the faces of the input are known:
+
+input-vertices   the input's vertices come first, unchanged
+repeated-vertex  no two vertices of the mesh coincide
+face-shape       each face is geometrically a triangle, its cycle counter-clockwise
+face-size        faces have three vertices (`classic`, `proper`, `internal`)
+steiner          there is no Steiner vertex (`classic`)
+overlap          no directed edge belongs to two faces
+input-edge       an edge of the input with the domain on its left is an edge of a face (`internal`: a chain of them)
+boundary         an edge with a face on one side only is an edge of the input with the domain on that side only
+unused-vertex    each vertex is on a face, but for input vertices away from the domain
+
+Why they suffice: by face-shape to boundary, the sum of the boundaries of the faces is the boundary of the domain, so
+the sum of their indicator functions is its winding number, 1 inside and 0 outside. The faces tile the domain and do
+not overlap; hence no edges cross, and a vertex on a face's side that the face does not list would leave edges
+without a twin, against `boundary`.
+"""
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from gmpy2 import mpq
+
+from exactmesh.geometry.point import Point
+from exactmesh.geometry.predicates import is_ahead, orientation
+from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared, face_witness
+from exactmesh.measure.mfs import Nearest, minimum_feature_size
+from exactmesh.planar.cycles import Side, directed_edges
+from exactmesh.planar.faces import Subdivision
+from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.pslg import Pslg
+
+
+@dataclass(frozen=True, slots=True)
+class Violation:
+    """A clause that fails, and where: indices by name."""
+
+    clause: str
+    place: Mapping[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class Verification:
+    """The verdict on a mesh. `mesh_mfs` is None when the mesh is not valid: it then has no feature size to speak of."""
+
+    kind: str
+    violations: tuple[Violation, ...]
+    input_mfs: Nearest | None
+    mesh_mfs: Nearest | None
+    steiner: int
+    faces: int
+
+    @property
+    def valid(self) -> bool:
+        """Whether no clause is violated."""
+        return not self.violations
+
+    @property
+    def degradation_squared(self) -> mpq | None:
+        """The exact square of mfs(input) / mfs(mesh); None when the mesh is not valid."""
+        if self.mesh_mfs is None or self.input_mfs is None:
+            return None
+        return self.input_mfs.squared / self.mesh_mfs.squared
+
+
+def verify_mesh(subdivision: Subdivision, mesh: Mesh) -> Verification:
+    """Return whether `mesh` is a valid mesh of its kind of the domain of `subdivision`, and its exact feature size."""
+    pslg = subdivision.pslg
+    judge = _Judge(subdivision, mesh)
+    judge.run()
+    input_mfs = minimum_feature_size(pslg)
+    mesh_mfs = None if judge.violations else _mesh_mfs(subdivision, mesh, input_mfs, judge)
+    steiner = len(mesh.vertices) - len(pslg.vertices)
+    return Verification(mesh.kind, tuple(judge.violations), input_mfs, mesh_mfs, steiner, len(mesh.faces))
+
+
+class _Judge:
+    """Collects violations clause by clause, and the corners of the faces on the way."""
+
+    def __init__(self, subdivision: Subdivision, mesh: Mesh) -> None:
+        self.subdivision = subdivision
+        self.mesh = mesh
+        self.violations: list[Violation] = []
+        self.corners: list[list[int]] = []
+        self.owner: dict[Side, int] = {}
+
+    def run(self) -> None:
+        self._check_vertices()
+        self._check_faces()
+        self._check_edges()
+        self._check_use()
+
+    def _violated(self, clause: str, **place: object) -> None:
+        self.violations.append(Violation(clause, place))
+
+    def _check_vertices(self) -> None:
+        given, mesh = self.subdivision.pslg.vertices, self.mesh
+        for v, point in enumerate(given):
+            if v >= len(mesh.vertices) or mesh.vertices[v] != point:
+                self._violated("input-vertices", vertex=v, at=str(point))
+        if mesh.kind == "classic" and len(mesh.vertices) > len(given):
+            self._violated("steiner", vertex=len(given))
+        first: dict[Point, int] = {}
+        for v, point in enumerate(mesh.vertices):
+            if first.setdefault(point, v) != v:
+                self._violated("repeated-vertex", vertex=v, other=first[point], at=str(point))
+
+    def _check_faces(self) -> None:
+        for number, cycle in enumerate(self.mesh.faces):
+            corners = corners_of(self.mesh.vertices, cycle)
+            if isinstance(corners, NotTriangle):
+                self._violated("face-shape", face=number, vertex=corners.vertex, reason=corners.reason)
+                corners = []
+            elif self.mesh.kind != "nonproper" and len(cycle) != 3:
+                self._violated("face-size", face=number, vertices=len(cycle))
+            self.corners.append(corners)
+
+    def _check_edges(self) -> None:
+        self.owner, repeated = directed_edges(self.mesh.faces)
+        for side, face in repeated:
+            self._violated("overlap", edge=list(side), face=face, other=self.owner[side])
+        expected = set(self._expected_sides())
+        for side in self.owner:
+            u, v = side
+            if (v, u) not in self.owner and side not in expected:
+                self._violated("boundary", edge=[u, v], face=self.owner[side])
+            elif side in expected and (v, u) not in expected and (v, u) in self.owner:
+                self._violated("boundary", edge=[v, u], face=self.owner[v, u])
+
+    def _expected_sides(self) -> Iterator[Side]:
+        """Yield the edges that faces must have along the input, with the domain on their left."""
+        half_edges = self.subdivision.half_edges
+        leaving: dict[int, list[int]] = defaultdict(list)
+        if self.mesh.kind == "internal":
+            for u, v in self.owner:
+                leaving[u].append(v)
+        for face in self.subdivision.domain:
+            for h in (h for walk in face.walks for h in walk):
+                side = half_edges.origin[h], half_edges.target(h)
+                chain = [side] if side in self.owner else self._chain(side, leaving)
+                if not chain:
+                    self._violated("input-edge", edge=list(side))
+                yield from chain
+
+    def _chain(self, side: Side, leaving: Mapping[int, list[int]]) -> list[Side]:
+        """Return the mesh edges that make up one side of an input edge; none when some part is missing."""
+        points = self.mesh.vertices
+        u, end = side
+        if end >= len(points) or u >= len(points):
+            return []
+        chain: list[Side] = []
+        while u != end:
+            onward = [v for v in leaving.get(u, ()) if v == end or (
+                orientation(points[u], points[v], points[end]) == 0 and is_ahead(points[u], points[v], points[end]))]
+            if not onward:
+                return []
+            chain.append((u, onward[0]))
+            u = onward[0]
+        return chain
+
+    def _check_use(self) -> None:
+        used = {v for cycle in self.mesh.faces for v in cycle}
+        half_edges = self.subdivision.half_edges
+        needed = {half_edges.origin[h] for face in self.subdivision.domain for walk in face.walks for h in walk}
+        needed |= {v for face in self.subdivision.domain for v in face.isolated}
+        for v in range(len(self.mesh.vertices)):
+            if v not in used and (v in needed or v >= len(self.subdivision.pslg.vertices)):
+                self._violated("unused-vertex", vertex=v)
+
+
+def _mesh_mfs(subdivision: Subdivision, mesh: Mesh, input_mfs: Nearest | None, judge: _Judge) -> Nearest | None:
+    """Return the mfs of a valid mesh: the least of its faces' and of what the faces that are not meshed see.
+
+    Where no input edge is split, the latter is at least the input's mfs, and all the input's pairs are pairs of the
+    mesh. An `internal` mesh may split the boundary, so all of its edges are looked at.
+    """
+    if mesh.kind == "internal":
+        pslg = subdivision.pslg
+        edges = {(min(side), max(side)) for side in judge.owner}
+        domain = {h >> 1 for face in subdivision.domain for walk in face.walks for h in walk}
+        edges |= {edge for e, edge in enumerate(pslg.edges) if e not in domain}
+        return minimum_feature_size(Pslg(mesh.vertices, tuple(sorted(edges))))
+    least, face = min(((face_feature_squared(mesh.vertices, cycle, corners), number) for number, (cycle, corners)
+                       in enumerate(zip(mesh.faces, judge.corners, strict=True))), default=(None, -1))
+    if least is None or (input_mfs is not None and input_mfs.squared <= least):
+        return input_mfs
+    return face_witness(mesh.vertices, mesh.faces[face])

@@ -1,0 +1,53 @@
+"""Check the finished mesh: what the paper promises for every polygon, and what the repaired construction adds."""
+
+from gmpy2 import mpq
+
+from exactmesh.measure.validity import Verification
+from exactmesh.measure.verdict import Tally, Verdict, failed
+from exactmesh.steps.constants import DESIGN_DEGRADATION, PAPER_DEGRADATION, PAPER_FEATURE, VERTICES_PER_CORNER
+
+
+def check_valid(verification: Verification) -> Verdict:
+    """Return whether the mesh is a valid one of its kind; one instance a face."""
+    for violation in verification.violations:
+        return failed(verification.faces, violation.clause, **violation.place)
+    return Verdict(verification.faces, True)
+
+
+def check_paper_degradation(verification: Verification) -> Verdict:
+    """Return the verdict on the squared degradation against 45."""
+    return _degradation(verification, Tally("degradation < 45", "<", PAPER_DEGRADATION**2))
+
+
+def check_design_degradation(verification: Verification) -> Verdict:
+    """Return the verdict on the squared degradation against 21.6."""
+    return _degradation(verification, Tally("degradation <= 21.6", "<=", DESIGN_DEGRADATION**2))
+
+
+def check_paper_feature(verification: Verification) -> Verdict:
+    """Return the verdict on the squared mfs of the mesh, in units of the input's, against 0.022."""
+    tally = Tally("mfs >= 0.022 mfs(P)", ">=", PAPER_FEATURE**2)
+    degradation = verification.degradation_squared
+    if degradation is None:
+        return failed(1, "the mesh is valid", violations=len(verification.violations))
+    tally.see(1 / degradation, **_place(verification))
+    return tally.verdict()
+
+
+def check_vertex_count(verification: Verification, corner_count: int) -> Verdict:
+    """Return the verdict on the number of Steiner vertices per corner of the input."""
+    tally = Tally("Steiner vertices <= 35 a corner", "<=", mpq(VERTICES_PER_CORNER))
+    tally.see(mpq(verification.steiner, corner_count), steiner=verification.steiner, corners=corner_count)
+    return tally.verdict()
+
+
+def _degradation(verification: Verification, tally: Tally) -> Verdict:
+    if verification.degradation_squared is None:
+        return failed(1, "the mesh is valid", violations=len(verification.violations))
+    tally.see(verification.degradation_squared, **_place(verification))
+    return tally.verdict()
+
+
+def _place(verification: Verification) -> dict[str, object]:
+    nearest = verification.mesh_mfs
+    return {} if nearest is None else {"vertex": nearest.vertex, "edge": list(nearest.feature)}

@@ -1,0 +1,122 @@
+"""Check the offset Q from what it has to be; `offset.py` and the offset body are not imported.
+
+I1 thickness    each end of an offset edge is at a distance between g and 0.4701 from its edge's line, on the inside.
+I2 separation   a vertex of Q keeps 0.0599 from every edge of Q that does not contain it.
+I3 nesting      Q is a set of simple rings on levels, one a walk, turned like it and inside its face.
+"""
+
+from gmpy2 import mpq
+
+from exactmesh.errors import GeometryError
+from exactmesh.geometry.distance import distance_squared
+from exactmesh.geometry.point import Point, cross, minus
+from exactmesh.geometry.predicates import doubled_area
+from exactmesh.measure.mfs import minimum_feature_size
+from exactmesh.measure.verdict import Tally, Verdict, Witness, failed
+from exactmesh.planar.pslg import Edge, Pslg
+from exactmesh.planar.validate import validate
+from exactmesh.steps.constants import LEVEL, SEPARATION, THICKNESS_MAX
+from exactmesh.steps.records import Offset, Shape
+
+
+def check_thickness(shape: Shape, offset: Offset) -> tuple[Verdict, Verdict]:
+    """Return the verdicts on the least and on the greatest squared thickness (I1), one instance an end of an edge.
+
+    An end on the wrong side of its edge counts with a negative square.
+    """
+    least = Tally("distance to the edge >= g", ">=", LEVEL**2)
+    greatest = Tally("distance to the edge <= 0.4701", "<=", THICKNESS_MAX**2)
+    following = offset.successors()
+    for k, h in enumerate(offset.source):
+        if h < 0:
+            continue
+        a, b = shape.points[shape.origin[h]], shape.points[shape.origin[h ^ 1]]
+        for end in (k, following[k]):
+            area = doubled_area(a, b, offset.points[end])
+            squared = area * abs(area) / distance_squared(a, b)
+            for tally in (least, greatest):
+                tally.see(squared, edge=h >> 1, at=str(offset.points[end]))
+    return least.verdict(), greatest.verdict()
+
+
+def check_separation(offset: Offset) -> Verdict:
+    """Return the verdict on the least squared distance between a vertex of Q and an edge without it (I2)."""
+    q = Pslg(offset.points, _edges(offset))
+    tally = Tally("distance >= 0.0599", ">=", SEPARATION**2)
+    nearest = minimum_feature_size(q)
+    if nearest is None:
+        return tally.verdict()
+    tally.see(nearest.squared, at=str(q.vertices[nearest.vertex]), edge_of_q=list(nearest.feature))
+    verdict = tally.verdict()
+    return Verdict(len(offset.points), verdict.holds, verdict.worst, verdict.witness)
+
+
+def check_nesting(shape: Shape, offset: Offset) -> Verdict:
+    """Return whether Q is a set of simple rings on levels, one a walk, turned like it and inside its face (I3).
+
+    P, Q and one spoke a ring, from a corner of the walk to its vertex of Q, are checked to be a planar graph; the
+    spoke must leave the corner within its angle. A ring that crosses nothing of P is then inside the face.
+    """
+    for k, point in enumerate(offset.points):
+        if (point.x, point.y) != (offset.x[k], (offset.level[k] + mpq(1, 2)) * LEVEL):
+            return failed(k + 1, "vertices are on levels", vertex_of_q=k, at=str(point))
+    walks = [walk for face, _ in zip(shape.faces, shape.isolated, strict=True) for walk in face]
+    corners = {frozenset(walk): walk for walk in walks}
+    alone = {-1 - v for isolated in shape.isolated for v in isolated}
+    spokes: list[Edge] = []
+    for number, (start, end) in enumerate(offset.rings):
+        around = list(dict.fromkeys(offset.corner[start:end]))
+        walk = corners.pop(frozenset(around), None)
+        if walk is None and (len(around) != 1 or around[0] not in alone):
+            return failed(number + 1, "a ring belongs to one walk, once", ring=number)
+        alone.discard(around[0])
+        turns_left = _doubled_area(offset.points[start:end]) > 0
+        if turns_left != (walk is not None and _doubled_area([shape.points[shape.origin[h]] for h in walk]) > 0):
+            return failed(number + 1, "a ring turns like its walk", ring=number)
+        spoke = _spoke(shape, offset, walk, start)
+        if spoke is None:
+            return failed(number + 1, "a ring is inside its face", ring=number, at=str(offset.points[start]))
+        spokes.append(spoke)
+    if corners or alone:
+        return failed(len(offset.rings), "every walk has a ring", missing=len(corners) + len(alone))
+    shifted = tuple((u + offset.first, v + offset.first) for u, v in _edges(offset))
+    p_edges = tuple((shape.origin[h], shape.origin[h + 1]) for h in range(0, len(shape.origin), 2))
+    try:
+        validate(Pslg(shape.points + offset.points, p_edges + shifted + tuple(spokes)))
+    except GeometryError as error:
+        return Verdict(len(offset.points), False, None, Witness("Q is simple and meets nothing", {"what": str(error)}))
+    return Verdict(len(offset.points), True)
+
+
+def _edges(offset: Offset) -> tuple[Edge, ...]:
+    return tuple(enumerate(offset.successors()))
+
+
+def _spoke(shape: Shape, offset: Offset, walk: tuple[int, ...] | None, k: int) -> Edge | None:
+    """Return the edge from the corner of vertex k of Q to that vertex; None when it leaves the corner's angle."""
+    corner, q = offset.corner[k], offset.points[k]
+    if walk is None:
+        return -1 - corner, offset.first + k
+    before = walk[walk.index(corner) - 1]
+    p = shape.points[shape.origin[corner]]
+    to_next, to_last = shape.points[shape.origin[corner ^ 1]], shape.points[shape.origin[before]]
+    inside = _is_within(minus(to_next, p), minus(to_last, p), minus(q, p))
+    return (shape.origin[corner], offset.first + k) if inside else None
+
+
+def _is_within(start: Point, end: Point, direction: Point) -> bool:
+    """Return whether a direction lies strictly within the angle counter-clockwise from `start` to `end`.
+
+    Equal directions make a full turn.
+    """
+    after_start, before_end = bool(cross(start, direction) > 0), bool(cross(direction, end) > 0)
+    turn = cross(start, end)
+    if turn > 0:
+        return after_start and before_end
+    if turn == 0 and start.x * end.x + start.y * end.y < 0:
+        return after_start
+    return after_start or before_end
+
+
+def _doubled_area(ring: "list[Point] | tuple[Point, ...]") -> mpq:
+    return sum((doubled_area(ring[0], ring[i - 1], ring[i]) for i in range(2, len(ring))), mpq(0))
