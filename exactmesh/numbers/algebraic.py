@@ -6,7 +6,9 @@ narrowed until they leave zero. Nothing rounds and no float decides: `float()` i
 operations with floats; `enclosure` and `decimal` are for those who want digits.
 
 Cost: sums and products grow with the number of terms. Division and `sqrt` multiply over 2**n conjugates for n
-independent roots, and raise `TooManyRoots` beyond n = 10. For signs of polynomials use `interval.sign_of`.
+independent roots of rationals and raise `TooManyRoots` beyond n = 10. Any operation that must bring together
+more than 8 nested roots raises it too, comparison among them when 64 bits do not decide. For signs of
+polynomials use `interval.sign_of`.
 
 Trusted: `interval`, `radicals`, `surd_sum`, `nested` and this module. Not checked: the memory that big values
 take.
@@ -24,7 +26,6 @@ from exactmesh.numbers.interval import FIRST_BITS, Interval
 from exactmesh.numbers.nested import Element, T, aligned
 from exactmesh.numbers.rational import decimal_text
 from exactmesh.numbers.surd_sum import SurdSum
-
 
 Number: TypeAlias = "int | Fraction | mpz | mpq | Real"
 

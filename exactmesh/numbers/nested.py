@@ -32,8 +32,8 @@ class Ring(Protocol):
 
 
 T = TypeVar("T", bound=Ring)
-# Whether a value has a root takes up to 3**n steps over n nested roots.
-MAX_ROOTS = 6
+# Whether a value is a square takes about 4**n steps over n nested roots.
+MAX_ROOTS = 8
 _HALF = SurdSum.of(mpq(1, 2))
 
 
@@ -45,7 +45,8 @@ class Root:
     def __init__(self, square: "Element") -> None:
         self.square = square
         self.inside = _roots(square)
-        self.key: tuple[int, str] = (1 + max((t.key[0] for t in self.inside), default=0), f"sqrt({text(square)})")
+        depth = 1 + max((t.key[0] for t in self.inside), default=0)
+        self.key: tuple[int, str] = (depth, f"sqrt({text(square)})")
         self._hash = hash(self.key)
         self._enclosure = Interval.of(0, 1)
 
@@ -152,6 +153,8 @@ def root(square: Element) -> Element:
     found = root_in(square, _tower(_roots(square)))
     if found is not None:
         return -found if found.sign() < 0 else found
+    if len(_roots(square)) == MAX_ROOTS:
+        raise TooManyRoots(MAX_ROOTS)
     # Rational factors are taken out, so that values which differ by one share their root.
     content = square.content()
     return Nested(Root(square.scaled(1 / content)), ZERO, SurdSum.root_of(content))

@@ -78,10 +78,10 @@ def sqrt_text(squared: mpq, digits: int = 12) -> str:
 def sqrt_below(squared: mpq, bits: int) -> mpq:
     """Return a dyadic rational r with r <= sqrt(squared) < r * (1 + 2**(1 - bits)), for squared > 0.
 
-    The numerator has at most `bits` bits. Raises `ValueError` when `squared` is not positive.
+    It has at most `bits` significant bits. Raises `ValueError` when `squared` or `bits` is not positive.
     """
-    if squared <= 0:
-        raise ValueError(f"squared must be positive, not {squared}")
+    if squared <= 0 or bits <= 0:
+        raise ValueError(f"squared and bits must be positive, not {squared} and {bits}")
     numerator, denominator = squared.numerator, squared.denominator
     # squared * 4**shift has about 2 * bits bits, so its root has about `bits`.
     shift = bits - (numerator.bit_length() - denominator.bit_length()) // 2
@@ -113,9 +113,9 @@ def _significant(value: mpq, digits: int, *, squared: bool, negative: bool) -> s
         # floor(2t) + 1 halved is t rounded to the nearest integer, for t itself and for its root alike.
         doubled = isqrt((4 * scaled).numerator // (4 * scaled).denominator) if squared else (
             (2 * scaled).numerator // (2 * scaled).denominator)
-        rounded = (doubled + 1) // 2
-        if len(text := str(rounded)) >= digits:
+        if doubled // 2 >= mpz(10) ** (digits - 1):
             break
+    text = str((doubled + 1) // 2)
     if len(text) > digits:
         text, place = text[:digits], place + 1
     return ("-" if negative else "") + _placed(text, place)

@@ -72,6 +72,9 @@ class Expr:
     def __truediv__(self, other: Any) -> "Expr":
         return Expr(None, "/", (self, _expr(other)))
 
+    def __neg__(self) -> "Expr":
+        return Expr(0) - self
+
     def __radd__(self, other: Any) -> "Expr":
         return _expr(other) + self
 
@@ -106,7 +109,7 @@ class Expr:
 
 
 def separation_bits(node: Expr, roots: int) -> int:
-    """Return b such that `node`, with at most `roots` different square roots in it, is 0 or at least 2**-b."""
+    """Return b such that `node`, with at most `roots` different square roots, is 0 or at least 2**-b."""
     return ((1 << roots) - 1) * node.log_u + node.log_l
 
 
@@ -146,10 +149,11 @@ def _evaluated(nodes: list[Expr], roots: int) -> arb | None:
     """Return a ball around the last node, or None when a divisor or radicand is not yet told from zero."""
     balls: dict[int, arb] = {}
     for node in nodes:
-        x, y = (balls[id(node.arguments[0])], balls[id(node.arguments[-1])]) if node.arguments else (arb(), arb())
+        if not node.operation:
+            balls[id(node)] = arb(node.value)
+            continue
+        x, y = balls[id(node.arguments[0])], balls[id(node.arguments[-1])]
         match node.operation:
-            case "":
-                ball = arb(node.value)
             case "+":
                 ball = x + y
             case "-":

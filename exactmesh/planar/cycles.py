@@ -8,8 +8,8 @@ Side = tuple[int, int]
 
 
 def sides(cycle: Cycle) -> Iterable[Side]:
-    """Return the directed edges of a cycle, the closing one last."""
-    return (*pairwise(cycle), (cycle[-1], cycle[0]))
+    """Return the directed edges of a cycle, the closing one last; none of the empty cycle."""
+    return (*pairwise(cycle), (cycle[-1], cycle[0])) if cycle else ()
 
 
 def directed_edges(cycles: Iterable[Cycle]) -> tuple[dict[Side, int], list[tuple[Side, int]]]:

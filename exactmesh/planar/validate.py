@@ -61,8 +61,8 @@ class HolePointOnBoundary(GeometryError):
 class Below:
     """The edge met first on the way down from each vertex and hole point; -1 where there is none.
 
-    Down is the direction (0, -1), turned infinitesimally clockwise so that no edge is vertical. Edges at a vertex
-    itself do not count.
+    Down is the direction (0, -1), turned infinitesimally counter-clockwise so that no edge is vertical. Edges at a
+    vertex itself do not count.
     """
 
     vertex: tuple[int, ...]
@@ -99,14 +99,12 @@ class _Sweep:
 
     def run(self) -> Below:
         below = [-1] * len(self.points)
-        # A hole point sorts after a vertex at the same place, which is then in `previous`.
+        # A hole point sorts after a vertex at the same place.
         order = sorted(range(len(self.points)), key=lambda v: (self.points[v], v))
-        previous = -1
-        for v in order:
-            if previous >= 0 and self.points[v] == self.points[previous]:
-                self._coincide(previous, v)
-            if v < self.count:
-                previous = v
+        for i, v in enumerate(order):
+            # Looked at before the sweep line passes v: an edge that ends at `order[i + 1]` is no edge through v.
+            if v < self.count and i + 1 < len(order) and self.points[order[i + 1]] == self.points[v]:
+                self._coincide(v, order[i + 1])
             below[v] = self._pass(v)
         return Below(tuple(below[: self.count]), tuple(below[self.count :]))
 

@@ -9,10 +9,13 @@ isolated vertex v. Edge k of Q runs from vertex k of Q to the next vertex of its
 """
 
 from dataclasses import dataclass
+from typing import Literal, NamedTuple
 
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
+from exactmesh.numbers.algebraic import Real
+from exactmesh.steps.constants import LEVEL
 
 Cycle = tuple[int, ...]
 
@@ -41,7 +44,7 @@ class Shape:
 
 @dataclass(frozen=True, slots=True)
 class Offset:
-    """Q, the inner offset on levels: vertex k is at (x[k], (level[k] + 1/2) g).
+    """The inner offset on levels, Q (or the paper's P4): vertex k is at (x[k], height(level[k])).
 
     `rings[r]` is the half-open range of the vertices of one ring; the interior lies on the left. `corner[k]` is the
     corner vertex k belongs to; `source[k]` is the half-edge whose offset edge k is, or -1 when it is an edge of a cap.
@@ -54,6 +57,12 @@ class Offset:
     source: tuple[int, ...]
     rings: tuple[tuple[int, int], ...]
     points: tuple[Point, ...]
+    spacing: mpq = LEVEL
+    shift: mpq = mpq(1, 2)
+
+    def height(self, level: int) -> mpq:
+        """Return the ordinate of a level."""
+        return (level + self.shift) * self.spacing
 
     def successors(self) -> list[int]:
         """Return, for each vertex of Q, the next one of its ring."""
@@ -112,3 +121,75 @@ class Piece:
 
     faces: tuple[Cycle, ...]
     steiner: tuple[Point, ...] = ()
+
+
+class RealPoint(NamedTuple):
+    """A place with algebraic coordinates."""
+
+    x: Real
+    y: Real
+
+
+@dataclass(frozen=True, slots=True)
+class CurveCorner:
+    """What the paper's offset curve has at one corner, named by its half-edge as elsewhere.
+
+    `vertices` are the corner's vertices of P3: one, or the ends and the middle of an arc ("chords"). `arc` has the
+    two ends of the arc of P2 at a reflex corner.
+    """
+
+    kind: Literal["convex", "flat", "prolonged", "chords"]
+    corner: int
+    vertices: tuple[RealPoint, ...]
+    arc: tuple[RealPoint, RealPoint] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class OffsetCurve:
+    """P2 and P3 at distance mfs/4: `rings` has the corners of each walk in its order."""
+
+    mfs_squared: mpq
+    rings: tuple[tuple[CurveCorner, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class UnitPiece:
+    """A triangulated rectangle in units of its spacing across and of its height upwards.
+
+    In `faces` j stands for the bottom vertex j, the next two numbers for the upper left and right corner, -1 - i for
+    the new vertex `steiner[i]`.
+    """
+
+    faces: tuple[Cycle, ...]
+    steiner: tuple[Point, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Rectangle:
+    """One of the paper's rectangles a b b' a' in the Tube: `side` runs from b to a along P4 with the vertices between.
+
+    `edge` is the half-edge of P below it, `grid` the places of `side` as numbers of grid lines from b.
+    """
+
+    edge: int
+    side: Cycle
+    grid: tuple[int, ...]
+    a_below: int
+    b_below: int
+
+
+Phase = Literal["fan", "cut", "rest", "tall", "low", "rectangle"]
+
+
+@dataclass(frozen=True, slots=True)
+class PaperTube:
+    """The paper's Tube. `phase[i]` tells where face i of the patch comes from.
+
+    "fan" phase 1, at a corner; "cut" phase 2, triangles cut off at the ends of the top; "rest" phase 2, the triangles
+    beside a rectangle; "tall" phase 3 in a quasi-trapz between P and P4; "low" phase 3 below a rectangle;
+    "rectangle" phase 4.
+    """
+
+    patch: Patch
+    phase: tuple[Phase, ...]
+    rectangles: tuple[Rectangle, ...]

@@ -16,7 +16,6 @@ from typing import NamedTuple
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
-from exactmesh.steps.constants import LEVEL
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
 
 
@@ -125,7 +124,7 @@ class _Sweep:
                 return self.offset.first + v
         if e not in ends:
             ends[e] = self._first + len(self.chord_ends)
-            self.chord_ends.append(Point(self._x_at(e, level), (level + mpq(1, 2)) * LEVEL))
+            self.chord_ends.append(Point(self._x_at(e, level), self.offset.height(level)))
             self.chord_edges.append(e)
         return ends[e]
 

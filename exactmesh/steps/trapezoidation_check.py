@@ -9,7 +9,7 @@ I5       each horizontal side holds a vertex of Q.
 I5'      a corner that is no vertex of Q is on an edge of Q that goes on for at least one level beyond it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 from gmpy2 import mpq
@@ -33,7 +33,7 @@ def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point]
     following = offset.successors()
     for number, z in enumerate(chords.trapezoids):
         legs = [(offset.points[e], offset.points[following[e]]) for e in (z.left, z.right)]
-        if (clause := _broken(z, legs, points)) is not None:
+        if (clause := _broken(z, legs, points, offset.height)) is not None:
             return failed(number + 1, clause, trapezoid=number, at=str(points[z.bl]))
     owner, repeated = directed_edges(_cycle(z) for z in chords.trapezoids)
     if repeated:
@@ -92,12 +92,13 @@ def _cycle(z: Trapezoid) -> Cycle:
     return (z.bl, *z.bottom, z.br, *top) if z.bl != z.br else (z.bl, *top)
 
 
-def _broken(z: Trapezoid, legs: Sequence[tuple[Point, Point]], points: Sequence[Point]) -> str | None:
+def _broken(z: Trapezoid, legs: Sequence[tuple[Point, Point]], points: Sequence[Point],
+            height: Callable[[int], mpq]) -> str | None:
     """Return the clause of the definition of a trapezoid that z breaks; `legs` are the edges of its two legs."""
     if z.high <= z.low:
         return "a trapezoid has a height"
     for level, row in ((z.low, (z.bl, *z.bottom, z.br)), (z.high, (z.tl, *z.top, z.tr))):
-        if any(points[v].y != (level + mpq(1, 2)) * LEVEL for v in row):
+        if any(points[v].y != height(level) for v in row):
             return "a side lies on its level"
         if any(points[u].x >= points[v].x for u, v in pairwise(row)) and not (len(row) == 2 and row[0] == row[1]):
             return "a side runs from left to right"

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 from exactmesh.geometry.point import Point, dot, minus
-from exactmesh.steps.interior import PatchBuilder
+from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Offset, Patch, Shape
 
 

@@ -1,0 +1,122 @@
+"""Runs of the repaired construction for tests, exact tiling by brute force, and the clauses a checker can name."""
+
+import ast
+import inspect
+from collections import Counter
+from collections.abc import Sequence
+from functools import lru_cache
+from fractions import Fraction
+from types import ModuleType
+
+import families
+import oracle
+from gmpy2 import mpq
+
+from exactmesh.claims.claim import Run
+from exactmesh.geometry.point import Point
+from exactmesh.measure.mfs import minimum_feature_size
+from exactmesh.measure.validity import verify_mesh
+from exactmesh.planar.faces import domain_of
+from exactmesh.planar.pslg import Pslg
+from exactmesh.repaired import construct
+from exactmesh.steps.offset import offset
+from exactmesh.steps.records import Offset, Shape
+from exactmesh.steps.shape import shape_of
+
+
+def point(x: int | str | Fraction, y: int | str | Fraction) -> Point:
+    """Return an exact point."""
+    return Point(mpq(x), mpq(y))
+
+
+def graph(corners: Sequence[Sequence[int | str]], edges: Sequence[tuple[int, int]] = ()) -> Pslg:
+    """Return a PSLG; without edges, the polygon with these corners."""
+    cycle = tuple((i, (i + 1) % len(corners)) for i in range(len(corners)))
+    return Pslg(tuple(point(x, y) for x, y in corners), tuple(edges) or cycle)
+
+
+HALL = Pslg(
+    tuple(point(x, y) for x, y in (
+        (0, 0), (30, 1), (31, 9), (16, 8), (15, 5), (14, 8), (2, "19/2"),  # a room with a spike from the ceiling
+        (4, 3), (5, 5), (7, "7/2"),                                        # a hole
+        (10, 3), (12, 4),                                                  # a slit with two ends
+        (20, 5), (24, "11/2"),                                             # two isolated vertices
+        (28, "61/10"))),                                                   # the end of a dangling edge
+    (*((i, (i + 1) % 7) for i in range(7)), (7, 8), (8, 9), (9, 7), (10, 11), (2, 14)),
+    (point("16/3", 4),), "hall")
+"""One face with every kind of corner: convex, reflex, of a hole, ends of slits, isolated."""
+
+
+def run_of(pslg: Pslg) -> Run:
+    """Return everything the claims are judged on."""
+    subdivision = domain_of(pslg)
+    nearest = minimum_feature_size(pslg)
+    assert nearest is not None
+    construction = construct(subdivision, nearest.squared)
+    return Run(subdivision, nearest, construction, verify_mesh(subdivision, construction.mesh))
+
+
+@lru_cache(maxsize=None)
+def run(name: str) -> Run:
+    """Return the run on `HALL` or a family of small inputs, by name."""
+    return run_of(HALL if name == "hall" else (families.ALL_SMALL | families.SMALL_PSLGS)[name])
+
+
+def unit_shape(pslg: Pslg) -> Shape:
+    """Return the shape of a PSLG that is given in units of its own mfs, or is taken to be."""
+    return shape_of(domain_of(pslg), mpq(1))
+
+
+def offset_of(pslg: Pslg) -> Offset:
+    """Return the offset of a PSLG given in units of its mfs."""
+    return offset(unit_shape(pslg))
+
+
+def cycle_area(points: Sequence[Point], cycle: Sequence[int]) -> Fraction:
+    """Return the signed area of a cycle."""
+    return oracle.polygon_area([points[v] for v in cycle])
+
+
+def untiled(points: Sequence[Point], outline: Sequence[int], faces: Sequence[Sequence[int]]) -> list[str]:
+    """Return, in words, why the faces do not tile the simple polygon `outline`; [] when they do.
+
+    Every face turns left at three vertices and goes straight on at the others, directed edges cancel to those of the
+    outline, and areas add up.
+    """
+    found = []
+    at = [oracle.triple(p) for p in points]
+    for face in faces:
+        turns = [oracle.turn(at[face[i - 1]], at[face[i]], at[face[(i + 1) % len(face)]]) for i in range(len(face))]
+        if sorted(turns) != [0] * (len(face) - 3) + [1] * 3:
+            found.append(f"{face} is no counter-clockwise triangle")
+    sides = Counter((face[i - 1], face[i]) for face in faces for i in range(len(face)))
+    found += [f"{side} is on two faces" for side, count in sides.items() if count > 1]
+    open_sides = {side for side in sides if side[::-1] not in sides}
+    wanted = {(outline[i - 1], outline[i]) for i in range(len(outline))}
+    if open_sides != wanted:
+        found.append(f"boundary differs at {open_sides ^ wanted}")
+    if sum((cycle_area(points, face) for face in faces), Fraction(0)) != cycle_area(points, outline):
+        found.append("areas do not add up")
+    return found
+
+
+def face_feature_squared(points: Sequence[Point], face: Sequence[int]) -> Fraction:
+    """Return the squared feature size of one face from the definition, all vertices against all edges."""
+    best = oracle.mfs_squared([points[v] for v in face], [(i - 1, i) for i in range(1, len(face))]
+                              + [(len(face) - 1, 0)])
+    assert best is not None
+    return best
+
+
+def clauses_of(checker: ModuleType) -> set[str]:
+    """Return every clause the source of a checker can name: what it gives to `failed`, `Tally` and `Witness`, and
+    the texts it returns."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(inspect.getsource(checker))):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+            place = {"failed": 1, "Tally": 0, "Witness": 0}.get(node.func.id)
+            texts = [] if place is None else node.args[place : place + 1]
+        else:
+            texts = [node.value] if isinstance(node, ast.Return) and node.value is not None else []
+        found |= {text.value for text in texts if isinstance(text, ast.Constant) and isinstance(text.value, str)}
+    return found
