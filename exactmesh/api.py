@@ -3,15 +3,15 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from exactmesh.claims.claim import Judgement, Run
-from exactmesh.claims.repaired import judge
+from exactmesh.claims.claim import Judgement
+from exactmesh.claims.ledger import judge
+from exactmesh.claims.run import ConstructionName, Run
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
 from exactmesh.planar.faces import domain_of, subdivide
 from exactmesh.planar.mesh import Mesh
 from exactmesh.planar.pslg import Pslg
-from exactmesh.repaired import construct
 
 Progress = Callable[[str], None]
 
@@ -55,23 +55,19 @@ def mfs(pslg: Pslg) -> Nearest | None:
     return minimum_feature_size(pslg)
 
 
-def mesh(pslg: Pslg, progress: Progress = _silent) -> Meshing:
-    """Return a nonproper triangulation of the bounded faces of `pslg`, less holes, with degradation below 21.6.
+def mesh(pslg: Pslg, construction: ConstructionName = "repaired", progress: Progress = _silent) -> Meshing:
+    """Return a nonproper triangulation of the bounded faces of `pslg`, less holes.
 
-    Every step is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
+    The repaired construction has degradation below 21.6; "paper" is the published one, for one simple polygon. Every
+    step is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
     `progress` is called with the name of each step. Raises `InputError` when `pslg` is none or encloses nothing.
     """
-    progress("validation")
-    subdivision = domain_of(pslg)
-    progress("mfs")
-    nearest = minimum_feature_size(pslg)
-    if nearest is None:
-        raise AssertionError("a bounded face has three vertices, hence a vertex-edge pair")
-    construction = construct(subdivision, nearest.squared, progress)
-    progress("verification")
-    verification = verify_mesh(subdivision, construction.mesh)
-    run = Run(subdivision, nearest, construction, verification)
-    return Meshing(construction.mesh, tuple(judge(run, progress)), verification)
+    return meshing_of(Run(pslg, construction, progress=progress))
+
+
+def meshing_of(run: Run) -> Meshing:
+    """Return the mesh of a run with the verdicts on all claims that concern it; raises what `mesh` raises."""
+    return Meshing(run.mesh, tuple(judge(run)), run.verification)
 
 
 def verify(pslg: Pslg, mesh: Mesh) -> Verification:

@@ -6,21 +6,30 @@ Exit status: 0 all that was asked for holds; 1 a claim fails (results are still 
 
 import argparse
 import hashlib
+import json
 import os
 import sys
 from collections.abc import Sequence
 
 import exactmesh
 from exactmesh import report
-from exactmesh.api import mesh, mfs, verify
-from exactmesh.data import example_names, example_path
+from exactmesh.api import meshing_of, mfs, verify
+from exactmesh.claims.bounds import bounds
+from exactmesh.claims.ledger import CLAIMS, claim_by_id, judge_one
+from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.status import ledger
+from exactmesh.claims.witnesses import WITNESSES
+from exactmesh.data import EXAMPLES
 from exactmesh.errors import ConstructionFailed, InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.io.mesh_json import json_from_mesh
 from exactmesh.io.read import read_mesh, read_pslg
 from exactmesh.io.svg import svg_from_mesh
 from exactmesh.numbers.rational import decimal_text, rational_from_text
+from exactmesh.paper import PAPER_CHOICES, paper_options
+from exactmesh.planar.pslg import Pslg
 from exactmesh.progress import Progress
+from exactmesh.report_ledger import bounds_json, bounds_text, entry_text, ledger_json, ledger_text
 
 HOLDS, FAILS, REFUSED, INTERRUPTED = 0, 1, 2, 130
 
@@ -66,6 +75,7 @@ def _parser() -> argparse.ArgumentParser:
     command = commands.add_parser("mesh", help="triangulate a PSLG, checking every step and the result")
     command.add_argument("file", metavar="FILE")
     command.add_argument("-o", "--output", metavar="OUT", help="write the mesh (exactmesh-mesh/1)")
+    _add_construction(command, default="repaired")
     command.add_argument("--report", metavar="R", help="write what was checked (exactmesh-report/1)")
     command.add_argument("--svg", metavar="S", help="write a picture")
     _add_quiet(command)
@@ -79,6 +89,21 @@ def _parser() -> argparse.ArgumentParser:
     _add_quiet(command)
     command.set_defaults(run=_verify)
 
+    command = commands.add_parser("claims", help="the ledger of claims, or one claim, or one judged on one input")
+    command.add_argument("id", metavar="ID", nargs="?")
+    on = command.add_mutually_exclusive_group()
+    on.add_argument("--on", metavar="FILE", help="judge the claim on this input")
+    on.add_argument("--witness", metavar="NAME", help="judge the claim on a witness that comes along")
+    _add_construction(command, default=None)
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    _add_quiet(command)
+    command.set_defaults(run=_claims)
+
+    command = commands.add_parser("reproduce", help="tables of the paper, recomputed")
+    command.add_argument("what", choices=("bounds",), help="bounds: the paper's numbers beside their exact values")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=_reproduce)
+
     command = commands.add_parser("examples", help="list the real outlines that come along, or write one")
     command.add_argument("name", metavar="NAME", nargs="?")
     command.add_argument("-o", "--output", metavar="OUT", default="-", help="where to write it (default: -)")
@@ -88,6 +113,25 @@ def _parser() -> argparse.ArgumentParser:
 
 def _add_quiet(command: argparse.ArgumentParser) -> None:
     command.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _add_construction(command: argparse.ArgumentParser, default: str | None) -> None:
+    command.add_argument("--construction", choices=("repaired", "paper"), default=default,
+                         help="the repaired construction, or the published one to the letter")
+    command.add_argument("--paper", metavar="NAME=VALUE", action="append", default=[], type=_paper_option,
+                         help="what the paper leaves open, for --construction paper: " + "; ".join(
+                             f"{name}={'|'.join(values)}" for name, values in PAPER_CHOICES.items()))
+
+
+def _paper_option(text: str) -> tuple[str, str]:
+    name, _, value = text.partition("=")
+    if value not in PAPER_CHOICES.get(name, ()):
+        raise argparse.ArgumentTypeError(f"{text!r} is none of the choices")
+    return name, value
+
+
+def _run(args: argparse.Namespace, pslg: Pslg, construction: ConstructionName, progress: Progress) -> Run:
+    return Run(pslg, construction, paper_options(dict(args.paper)), progress)
 
 
 def _mfs(args: argparse.Namespace) -> int:
@@ -101,14 +145,14 @@ def _mesh(args: argparse.Namespace) -> int:
     with Progress(args.quiet) as progress:
         progress("reading")
         source = read_pslg(args.file)
-        result = mesh(source.pslg, progress)
+        result = meshing_of(_run(args, source.pslg, args.construction, progress))
         progress("writing")
         text = json_from_mesh(result.mesh)
         if args.output:
             write_text(args.output, text)
         if args.report:
             digest = hashlib.sha256(text.encode()).hexdigest()
-            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, "repaired"))
+            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, args.construction))
         if args.svg:
             write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification))
     if not args.quiet:
@@ -142,9 +186,37 @@ def _verify(args: argparse.Namespace) -> int:
     return HOLDS
 
 
+def _claims(args: argparse.Namespace) -> int:
+    if args.id is None and (args.on or args.witness):
+        raise InputError("which claim is to be judged? give its ID")
+    chosen = CLAIMS if args.id is None else (claim_by_id(args.id),)
+    with Progress(args.quiet) as progress:
+        if not args.on and not args.witness:
+            entries = ledger(chosen, progress)
+            if args.json:
+                print(ledger_json(entries))
+            else:
+                print(ledger_text(entries) if args.id is None else entry_text(entries[0]))
+            return HOLDS
+        claim = chosen[0]
+        pslg = read_pslg(args.on or str(WITNESSES.path(args.witness))).pslg
+        construction: ConstructionName = args.construction or next(iter(claim.runs), "repaired")
+        judgement = judge_one(claim, _run(args, pslg, construction, progress))
+    print(json.dumps(report.claim_json(claim, judgement.verdict)) if args.json else report.claims_text([judgement]))
+    if not judgement.verdict.holds:
+        print(report.failures_text([judgement]), file=sys.stderr)
+    return HOLDS if judgement.verdict.holds else FAILS
+
+
+def _reproduce(args: argparse.Namespace) -> int:
+    rows = list(bounds())
+    print(bounds_json(rows) if args.json else bounds_text(rows))
+    return HOLDS
+
+
 def _examples(args: argparse.Namespace) -> int:
     if args.name is None:
-        print("\n".join(example_names()))
+        print("\n".join(EXAMPLES.names()))
     else:
-        write_text(args.output, example_path(args.name).read_text(encoding="utf-8"))
+        write_text(args.output, EXAMPLES.path(args.name).read_text(encoding="utf-8"))
     return HOLDS

@@ -1,7 +1,8 @@
 """The paper's construction to the letter, gaps included: what its text leaves open is a named option."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import get_args
 
 from gmpy2 import mpq
 
@@ -31,6 +32,22 @@ class PaperOptions:
     rectangle: Filling = "nested"
 
 
+PAPER_CHOICES: dict[str, tuple[str, ...]] = {
+    "reading": get_args(ReadingName), "right_angle": get_args(RightAngle), "ties": get_args(Ties),
+    "teeth": get_args(Teeth), "tall": get_args(Tall), "rectangle": get_args(Filling)}
+
+
+def paper_options(chosen: Mapping[str, str]) -> PaperOptions:
+    """Return the options with the given names and values, the others at their defaults.
+
+    Raises `InputError` for a name or value that is not in `PAPER_CHOICES`.
+    """
+    for name, value in chosen.items():
+        if value not in PAPER_CHOICES.get(name, ()):
+            raise InputError(f"{name}={value} is none of the paper's choices")
+    return replace(PaperOptions(), **chosen)  # type: ignore[arg-type]  # the values were looked up above
+
+
 @dataclass(frozen=True, slots=True)
 class PaperConstruction:
     """The result of every step, in the input's own units, and the finished mesh."""
@@ -58,7 +75,7 @@ def construct_paper(subdivision: Subdivision, mfs_squared: mpq, options: PaperOp
 
     Raises `InputError` when the domain is not one simple polygon.
     """
-    shape = _shape(subdivision)
+    shape = simple_polygon(subdivision)
     progress("P2, P3")
     curve = offset_curve(shape, mfs_squared, options.right_angle)
     progress("P4")
@@ -79,7 +96,8 @@ def construct_paper(subdivision: Subdivision, mfs_squared: mpq, options: PaperOp
     return PaperConstruction(options, mfs_squared, shape, curve, p4, chords, interior, tube, mesh)
 
 
-def _shape(subdivision: Subdivision) -> Shape:
+def simple_polygon(subdivision: Subdivision) -> Shape:
+    """Return the domain as one walk, in the input's own units; raises `InputError` when it is more than that."""
     pslg = subdivision.pslg
     domain = subdivision.domain
     if (len(domain) != 1 or len(subdivision.faces) != 2 or len(domain[0].walks) != 1 or domain[0].isolated

@@ -1,16 +1,17 @@
 """`exactmesh-report/1`: what was checked in a run, as JSON and as text."""
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping, Sequence
 
 from gmpy2 import mpq
 
 from exactmesh.api import Meshing
-from exactmesh.claims.claim import Judgement
+from exactmesh.claims.claim import Claim, Judgement
 from exactmesh.measure.mfs import Nearest
 from exactmesh.measure.validity import Verification
-from exactmesh.numbers.rational import decimal_text, sqrt_text, text_from_rational
-from exactmesh.numbers.root import root_expression
+from exactmesh.measure.verdict import Verdict
+from exactmesh.numbers.rational import sqrt_text, text_from_rational
+from exactmesh.numbers.root import exact_text, number_text, root_expression, root_text
 from exactmesh.planar.pslg import Pslg
 
 _READABLE = 60
@@ -29,7 +30,7 @@ def report_json(pslg: Pslg, input_sha256: str, meshing: Meshing, mesh_sha256: st
             "input": _squared(verification.input_mfs), "mesh": _squared(verification.mesh_mfs),
             "witness_input": _witness(verification.input_mfs), "witness_mesh": _witness(verification.mesh_mfs)},
         "degradation_squared": _text(verification.degradation_squared),
-        "claims": [_claim(judgement) for judgement in meshing.judgements],
+        "claims": [claim_json(judgement.claim, judgement.verdict) for judgement in meshing.judgements],
     }
     return json.dumps(report, indent=1) + "\n"
 
@@ -82,10 +83,15 @@ def verification_text(verification: Verification) -> str:
 def claims_text(judgements: Iterable[Judgement]) -> str:
     """Return a table of claims and verdicts for reading."""
     rows = [("claim", "bound", "worst", "instances", "")]
-    rows += [(j.claim.id, j.claim.bound, _decimal(j), str(j.verdict.instances), "holds" if j.verdict.holds else "FAILS")
+    rows += [(j.claim.id, j.claim.bound, _decimal(j.claim, j.verdict), str(j.verdict.instances), "holds" if j.verdict.holds else "FAILS")
              for j in judgements]
-    widths = [max(len(row[i]) for row in rows) for i in range(5)]
-    return "\n".join("  ".join(cell.rjust(width) if i in (2, 3) else cell.ljust(width)
+    return table(rows, right=(2, 3))
+
+
+def table(rows: Sequence[Sequence[str]], right: Container[int]) -> str:
+    """Return rows of cells in columns; those numbered in `right` are set flush right."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join("  ".join(cell.rjust(width) if i in right else cell.ljust(width)
                                for i, (cell, width) in enumerate(zip(row, widths, strict=True))).rstrip()
                      for row in rows)
 
@@ -101,32 +107,32 @@ def failures_text(judgements: Iterable[Judgement]) -> str:
     return "\n".join(lines)
 
 
-def _claim(judgement: Judgement) -> dict[str, object]:
-    claim, verdict = judgement.claim, judgement.verdict
+def claim_json(claim: Claim, verdict: Verdict) -> dict[str, object]:
+    """Return a claim with its verdict as it stands in a report."""
     worst = None
     if verdict.worst is not None:
-        worst = {"exact": _exact(judgement), "decimal": _decimal(judgement)}
+        worst = {"exact": _exact(claim, verdict), "decimal": _decimal(claim, verdict)}
     witness = None if verdict.witness is None else {"clause": verdict.witness.clause, **verdict.witness.place}
     return {"id": claim.id, "paper": claim.paper, "statement": claim.says, "bound": claim.bound,
             "instances": verdict.instances, "holds": verdict.holds, "worst": worst, "witness": witness}
 
 
-def _exact(judgement: Judgement) -> str:
-    worst = judgement.verdict.worst
+def _exact(claim: Claim, verdict: Verdict) -> str:
+    worst = verdict.worst
     if worst is None:
         return ""
-    if not judgement.claim.squared:
-        return text_from_rational(worst)
+    if claim.quantity != "square":
+        return exact_text(worst)
     return root_expression(worst) if worst >= 0 else f"-{root_expression(-worst)}"
 
 
-def _decimal(judgement: Judgement) -> str:
-    worst = judgement.verdict.worst
+def _decimal(claim: Claim, verdict: Verdict) -> str:
+    worst = verdict.worst
     if worst is None:
         return ""
-    if not judgement.claim.squared:
-        return decimal_text(worst)
-    return sqrt_text(worst) if worst >= 0 else f"-{sqrt_text(-worst)}"
+    if claim.quantity != "square":
+        return number_text(worst)
+    return root_text(worst) if worst >= 0 else f"-{root_text(-worst)}"
 
 
 def _text(value: mpq | None) -> str | None:

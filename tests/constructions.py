@@ -1,26 +1,28 @@
-"""Runs of the repaired construction for tests, exact tiling by brute force, and the clauses a checker can name."""
+"""The repaired construction on named inputs, exact tiling by brute force, and the clauses a checker can name."""
 
 import ast
 import inspect
 from collections import Counter
 from collections.abc import Sequence
-from functools import lru_cache
 from fractions import Fraction
+from functools import lru_cache
+from itertools import pairwise
 from types import ModuleType
+from typing import Any, NamedTuple
 
 import families
 import oracle
 from gmpy2 import mpq
 
-from exactmesh.claims.claim import Run
 from exactmesh.geometry.point import Point
-from exactmesh.measure.mfs import minimum_feature_size
-from exactmesh.measure.validity import verify_mesh
-from exactmesh.planar.faces import domain_of
+from exactmesh.measure.mfs import Nearest, minimum_feature_size
+from exactmesh.measure.validity import Verification, verify_mesh
+from exactmesh.planar.faces import Subdivision, domain_of
 from exactmesh.planar.pslg import Pslg
-from exactmesh.repaired import construct
+from exactmesh.repaired import Construction, construct
+from exactmesh.steps.constants import LEVEL
 from exactmesh.steps.offset import offset
-from exactmesh.steps.records import Offset, Shape
+from exactmesh.steps.records import Offset, Shape, Trapezoidation
 from exactmesh.steps.shape import shape_of
 
 
@@ -47,19 +49,28 @@ HALL = Pslg(
 """One face with every kind of corner: convex, reflex, of a hole, ends of slits, isolated."""
 
 
-def run_of(pslg: Pslg) -> Run:
-    """Return everything the claims are judged on."""
+class Made(NamedTuple):
+    """One input with every step of the repaired construction and the verification of the mesh."""
+
+    subdivision: Subdivision
+    mfs: Nearest
+    construction: Construction
+    verification: Verification
+
+
+def made_of(pslg: Pslg) -> Made:
+    """Return the steps of the construction on `pslg`."""
     subdivision = domain_of(pslg)
     nearest = minimum_feature_size(pslg)
     assert nearest is not None
     construction = construct(subdivision, nearest.squared)
-    return Run(subdivision, nearest, construction, verify_mesh(subdivision, construction.mesh))
+    return Made(subdivision, nearest, construction, verify_mesh(subdivision, construction.mesh))
 
 
 @lru_cache(maxsize=None)
-def run(name: str) -> Run:
-    """Return the run on `HALL` or a family of small inputs, by name."""
-    return run_of(HALL if name == "hall" else (families.ALL_SMALL | families.SMALL_PSLGS)[name])
+def run(name: str) -> Made:
+    """Return the steps on `HALL` or on one of the families of small inputs, by name."""
+    return made_of(HALL if name == "hall" else (families.ALL_SMALL | families.SMALL_PSLGS)[name])
 
 
 def unit_shape(pslg: Pslg) -> Shape:
@@ -70,6 +81,21 @@ def unit_shape(pslg: Pslg) -> Shape:
 def offset_of(pslg: Pslg) -> Offset:
     """Return the offset of a PSLG given in units of its mfs."""
     return offset(unit_shape(pslg))
+
+
+def rings_on_levels(*rings: Sequence[tuple[Any, int]]) -> Offset:
+    """Return rings of (x, level) as an `Offset` that comes from no polygon, numbered from 100."""
+    flat = [p for ring in rings for p in ring]
+    starts = [sum(map(len, rings[:i])) for i in range(len(rings) + 1)]
+    count = len(flat)
+    return Offset(100, tuple(mpq(x) for x, _ in flat), tuple(level for _, level in flat), tuple(range(count)),
+                  tuple(range(count)), tuple(pairwise(starts)),
+                  tuple(Point(mpq(x), (level + mpq(1, 2)) * LEVEL) for x, level in flat))
+
+
+def points_of(q: Offset, chords: Trapezoidation) -> list[Any]:
+    """Return the points of Q and the chord ends by number; those of P are missing."""
+    return [None] * q.first + [*q.points, *chords.points]
 
 
 def cycle_area(points: Sequence[Point], cycle: Sequence[int]) -> Fraction:

@@ -1,23 +1,14 @@
-"""What a claim is, and what it is judged on."""
+"""What a claim is."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
-from exactmesh.measure.mfs import Nearest
-from exactmesh.measure.validity import Verification
+from exactmesh.claims.run import ConstructionName, Run
 from exactmesh.measure.verdict import Verdict
-from exactmesh.planar.faces import Subdivision
-from exactmesh.repaired import Construction
 
-
-@dataclass(frozen=True, slots=True)
-class Run:
-    """One input with the result of every step and the verification of the mesh."""
-
-    subdivision: Subdivision
-    mfs: Nearest
-    construction: Construction
-    verification: Verification
+# What the checker's values are: squares of lengths or of ratios, plain numbers, or nothing but yes and no.
+Quantity = Literal["square", "number", "truth"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,16 +16,22 @@ class Claim:
     """A statement with a permanent id; a withdrawn id is never used again.
 
     `paper` is the place it is from, or the name of the repaired construction. `bound` is for readers; the checker
-    decides. `squared` tells that the checker's values are squares of what `bound` speaks of.
+    decides. `runs` names the constructions in whose runs it is judged. A claim without a checker is one that no
+    single input can settle. `corrected` is the true statement in place of a false one, `repair` how the repaired
+    construction does without it, `witness` the file, among the package's witnesses, that is meant to refute it.
     """
 
     id: str
     paper: str
     says: str
-    given: tuple[str, ...]
-    bound: str
-    squared: bool
-    check: Callable[[Run], Verdict]
+    given: tuple[str, ...] = ()
+    bound: str = ""
+    quantity: Quantity = "truth"
+    runs: tuple[ConstructionName, ...] = ("paper",)
+    check: Callable[[Run], Verdict] | None = None
+    corrected: str = ""
+    repair: str = ""
+    witness: str = ""
 
 
 @dataclass(frozen=True, slots=True)

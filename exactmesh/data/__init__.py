@@ -8,30 +8,6 @@ out and counted in the file. `south-america` is a map (a `FeatureCollection`): c
 list the same points on it, so that the union of all rings is a PSLG.
 """
 
-from importlib.resources import files
-from pathlib import Path
+from exactmesh.io.shelf import Shelf
 
-from exactmesh.errors import InputError
-
-_SUFFIX = ".geojson"
-
-
-def example_names() -> tuple[str, ...]:
-    """Return the names of the examples, sorted.
-
-    >>> "luxembourg" in example_names()
-    True
-    """
-    return tuple(sorted(entry.name.removesuffix(_SUFFIX)
-                        for entry in files(__name__).iterdir() if entry.name.endswith(_SUFFIX)))
-
-
-def example_path(name: str) -> Path:
-    """Return the path of the GeoJSON file of the example `name`.
-
-    Raises `InputError`, listing the names there are, when there is no such example.
-    """
-    names = example_names()
-    if name not in names:
-        raise InputError(f"there is no example {name!r}; there are: {', '.join(names)}")
-    return Path(str(files(__name__).joinpath(name + _SUFFIX)))
+EXAMPLES = Shelf(__name__, ".geojson", "example")

@@ -2,6 +2,8 @@
 
 The clauses, each O(size) once the faces of the input are known:
 
+kind             the kind is one of the four
+face-index       each face lists vertices of the mesh (when one does not, nothing else is looked at)
 input-vertices   the input's vertices come first, unchanged
 repeated-vertex  no two vertices of the mesh coincide
 face-shape       each face is geometrically a triangle, its cycle counter-clockwise
@@ -9,7 +11,8 @@ face-size        faces have three vertices (`classic`, `proper`, `internal`)
 steiner          there is no Steiner vertex (`classic`)
 overlap          no directed edge belongs to two faces
 input-edge       an edge of the input with the domain on its left is an edge of a face (`internal`: a chain of them)
-boundary         an edge with a face on one side only is an edge of the input with the domain on that side only
+boundary         just those edges have a face on one side only that are (`internal`: parts of) edges of the input with
+                 the domain on that side only
 unused-vertex    each vertex is on a face, but for input vertices away from the domain
 
 Why they suffice: by face-shape to boundary, the sum of the boundaries of the faces is the boundary of the domain, so
@@ -19,7 +22,7 @@ without a twin, against `boundary`.
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from gmpy2 import mpq
@@ -30,7 +33,7 @@ from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.planar.cycles import Side, directed_edges
 from exactmesh.planar.faces import Subdivision
-from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.mesh import KINDS, Mesh
 from exactmesh.planar.pslg import Pslg
 
 
@@ -88,6 +91,11 @@ class _Judge:
         self.owner: dict[Side, int] = {}
 
     def run(self) -> None:
+        if self.mesh.kind not in KINDS:
+            self._violated("kind", kind=self.mesh.kind)
+        self._check_indices()
+        if self.violations:
+            return
         self._check_vertices()
         self._check_faces()
         self._check_edges()
@@ -95,6 +103,13 @@ class _Judge:
 
     def _violated(self, clause: str, **place: object) -> None:
         self.violations.append(Violation(clause, place))
+
+    def _check_indices(self) -> None:
+        count = len(self.mesh.vertices)
+        for number, cycle in enumerate(self.mesh.faces):
+            for v in cycle:
+                if not 0 <= v < count:
+                    self._violated("face-index", face=number, vertex=v)
 
     def _check_vertices(self) -> None:
         given, mesh = self.subdivision.pslg.vertices, self.mesh
@@ -122,34 +137,42 @@ class _Judge:
         self.owner, repeated = directed_edges(self.mesh.faces)
         for side, face in repeated:
             self._violated("overlap", edge=list(side), face=face, other=self.owner[side])
-        expected = set(self._expected_sides())
+        rim = self._rim()
         for side in self.owner:
             u, v = side
-            if (v, u) not in self.owner and side not in expected:
-                self._violated("boundary", edge=[u, v], face=self.owner[side])
-            elif side in expected and (v, u) not in expected and (v, u) in self.owner:
+            if (v, u) not in self.owner:
+                if side not in rim:
+                    self._violated("boundary", edge=[u, v], face=self.owner[side])
+            elif side in rim:
                 self._violated("boundary", edge=[v, u], face=self.owner[v, u])
 
-    def _expected_sides(self) -> Iterator[Side]:
-        """Yield the edges that faces must have along the input, with the domain on their left."""
+    def _rim(self) -> set[Side]:
+        """Return the mesh edges along the input with the domain on their left and not on their right.
+
+        The edges of faces that must lie along the input are looked for on the way.
+        """
         half_edges = self.subdivision.half_edges
         leaving: dict[int, list[int]] = defaultdict(list)
         if self.mesh.kind == "internal":
             for u, v in self.owner:
                 leaving[u].append(v)
-        for face in self.subdivision.domain:
-            for h in (h for walk in face.walks for h in walk):
-                side = half_edges.origin[h], half_edges.target(h)
-                chain = [side] if side in self.owner else self._chain(side, leaving)
-                if not chain:
-                    self._violated("input-edge", edge=list(side))
-                yield from chain
+        along = [h for face in self.subdivision.domain for walk in face.walks for h in walk]
+        inside = set(along)
+        rim: set[Side] = set()
+        for h in along:
+            side = half_edges.origin[h], half_edges.target(h)
+            chain = [side] if side in self.owner else self._chain(side, leaving)
+            if not chain:
+                self._violated("input-edge", edge=list(side))
+            if h ^ 1 not in inside:
+                rim.update(chain)
+        return rim
 
     def _chain(self, side: Side, leaving: Mapping[int, list[int]]) -> list[Side]:
         """Return the mesh edges that make up one side of an input edge; none when some part is missing."""
         points = self.mesh.vertices
         u, end = side
-        if end >= len(points) or u >= len(points):
+        if end >= len(points) or u >= len(points):  # input vertices are missing
             return []
         chain: list[Side] = []
         while u != end:

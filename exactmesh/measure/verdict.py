@@ -6,6 +6,8 @@ from typing import Literal
 
 from gmpy2 import mpq
 
+from exactmesh.numbers.algebraic import Real
+
 Relation = Literal[">=", ">", "<=", "<", "=="]
 
 
@@ -24,7 +26,7 @@ class Verdict:
 
     instances: int
     holds: bool
-    worst: mpq | None = None
+    worst: mpq | Real | None = None
     witness: Witness | None = None
 
     def __bool__(self) -> bool:
@@ -35,21 +37,26 @@ class Verdict:
 class Tally:
     """Compares values with a bound as they are met and keeps the worst one.
 
-    The worst value is the least for the relations >= and >, the greatest for <= and <.
+    The worst value is the least for the relations >= and >, the greatest for <= and <, the farthest off for ==.
     """
 
     clause: str
     relation: Relation
-    bound: mpq
+    bound: mpq | Real
     instances: int = 0
-    worst: mpq | None = None
+    worst: mpq | Real | None = None
     place: Mapping[str, object] = field(default_factory=dict)
 
-    def see(self, value: mpq, **place: object) -> None:
+    def see(self, value: mpq | Real, **place: object) -> None:
         """Count one instance with the given value at the given place."""
         self.instances += 1
-        if self.worst is None or (value < self.worst if self.relation[0] == ">" else value > self.worst):
+        if self.worst is None or self._is_worse(value, self.worst):
             self.worst, self.place = value, place
+
+    def _is_worse(self, value: mpq | Real, than: mpq | Real) -> bool:
+        if self.relation == "==":
+            return bool(abs(value - self.bound) > abs(than - self.bound))
+        return bool(value < than if self.relation[0] == ">" else value > than)
 
     def verdict(self) -> Verdict:
         """Return the verdict on all that was seen; a claim without instances holds."""
@@ -59,7 +66,7 @@ class Tally:
         return Verdict(self.instances, holds, self.worst, Witness(self.clause, self.place))
 
 
-def satisfies(value: mpq, relation: Relation, bound: mpq) -> bool:
+def satisfies(value: mpq | Real, relation: Relation, bound: mpq | Real) -> bool:
     """Return whether `value relation bound`."""
     outcome = {">=": value >= bound, ">": value > bound, "<=": value <= bound, "<": value < bound,
                "==": value == bound}

@@ -15,9 +15,7 @@ def sides(cycle: Cycle) -> Iterable[Side]:
 def directed_edges(cycles: Iterable[Cycle]) -> tuple[dict[Side, int], list[tuple[Side, int]]]:
     """Return each directed edge with the number of the first cycle that has it, and the repeated ones with theirs."""
     owner: dict[Side, int] = {}
-    repeated = []
+    repeated: list[tuple[Side, int]] = []
     for number, cycle in enumerate(cycles):
-        for side in sides(cycle):
-            if owner.setdefault(side, number) != number:
-                repeated.append((side, number))
+        repeated += [(side, number) for side in sides(cycle) if owner.setdefault(side, number) != number]
     return owner, repeated

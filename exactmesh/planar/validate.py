@@ -9,6 +9,7 @@ from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cmp_to_key
+from itertools import pairwise
 
 from exactmesh.errors import GeometryError
 from exactmesh.geometry.filtered import FilteredPoints
@@ -79,7 +80,7 @@ def validate(pslg: Pslg) -> Below:
 
 
 class _Sweep:
-    """One sweep. `status` holds the active edges from below; `right[e]`, `left[e]` are an edge's ends in sweep order."""
+    """One sweep. `status` holds the active edges from below; `left[e]`, `right[e]` are its ends in sweep order."""
 
     def __init__(self, pslg: Pslg) -> None:
         self.pslg = pslg
@@ -158,7 +159,7 @@ class _Sweep:
             return turn(v, self.right[f], self.right[e])
 
         ordered = sorted(starting, key=cmp_to_key(steeper))
-        for e, f in zip(ordered, ordered[1:], strict=False):
+        for e, f in pairwise(ordered):
             if turn(v, self.right[e], self.right[f]) == 0:
                 first, second = sorted((e, f))
                 edges = self.pslg.edges

@@ -77,9 +77,15 @@ def test_a_square_is_split():
     assert len(piece.faces) == 2 and piece.steiner == ()
 
 
-def test_a_square_with_a_t_vertex_in_the_middle_is_split_there():
-    piece = triangulate_one_sided(side([2, 2]), point(0, 4), point(4, 4))
+def test_a_small_square_with_a_t_vertex_in_the_middle_is_split_there():
+    # Large enough for the split in the middle, too small for one at the end.
+    piece = triangulate_one_sided(side(["3/50", "3/50"]), point(0, "3/25"), point("3/25", "3/25"))
     assert (3, 1, 4) in piece.faces and piece.steiner == ()
+
+
+def test_the_first_split_that_is_large_enough_is_taken():
+    piece = triangulate_one_sided(side([2, 2]), point(0, 4), point(4, 4))
+    assert piece.faces == ((0, 1, 4), (1, 2, 4), (3, 0, 4))
 
 
 def test_a_low_strip_with_many_t_vertices_is_nested():

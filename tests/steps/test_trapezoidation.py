@@ -8,32 +8,15 @@ from itertools import pairwise
 import families
 import oracle
 import pytest
-from constructions import graph, offset_of, run
+from constructions import graph, offset_of, points_of, rings_on_levels, run
 from gmpy2 import mpq
 
-from exactmesh.geometry.point import Point
 from exactmesh.steps.constants import LEVEL
-from exactmesh.steps.records import Offset
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.trapezoidation_check import check_clearance, check_tiling, check_touch
 
 G = Fraction(29, 125)
 NAMES = sorted(families.ALL_SMALL | families.SMALL_PSLGS) + ["hall"]
-
-
-def rings_on_levels(*rings):
-    """Return rings of (x, level) as an `Offset` that comes from no polygon, numbered from 100."""
-    flat = [p for ring in rings for p in ring]
-    starts = [sum(map(len, rings[:i])) for i in range(len(rings) + 1)]
-    count = len(flat)
-    return Offset(100, tuple(mpq(x) for x, _ in flat), tuple(level for _, level in flat), tuple(range(count)),
-                  tuple(range(count)), tuple(pairwise(starts)),
-                  tuple(Point(mpq(x), (level + mpq(1, 2)) * LEVEL) for x, level in flat))
-
-
-def points_of(q, chords):
-    """Return all points by number; those of P are missing."""
-    return [None] * q.first + [*q.points, *chords.points]
 
 
 def described(q, chords):

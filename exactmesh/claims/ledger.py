@@ -1,0 +1,38 @@
+"""The ledger: all claims, in the order of the paper and then of the repaired construction."""
+
+from collections.abc import Iterator
+
+from exactmesh.claims.claim import Claim, Judgement
+from exactmesh.claims.elsewhere import ELSEWHERE_CLAIMS
+from exactmesh.claims.repaired import REPAIRED_CLAIMS
+from exactmesh.claims.result import RESULT_CLAIMS
+from exactmesh.claims.run import Run
+from exactmesh.errors import InputError
+
+CLAIMS: tuple[Claim, ...] = (*ELSEWHERE_CLAIMS, *RESULT_CLAIMS, *REPAIRED_CLAIMS)
+
+
+def claim_by_id(wanted: str) -> Claim:
+    """Return the claim with the given id; raises `InputError` for an unknown one."""
+    for claim in CLAIMS:
+        if claim.id == wanted:
+            return claim
+    near = ", ".join(claim.id for claim in CLAIMS if wanted.split(".")[0] in claim.id) or "see `exactmesh claims`"
+    raise InputError(f"there is no claim {wanted!r}; {near}")
+
+
+def judge_one(claim: Claim, run: Run) -> Judgement:
+    """Return the verdict on one claim; raises `InputError` when it cannot be judged in runs of that construction."""
+    if claim.check is None:
+        raise InputError(f"{claim.id} is about more than one input: there is nothing to judge on a file")
+    if run.construction not in claim.runs:
+        raise InputError(f"{claim.id} is judged in runs of the construction {' or '.join(claim.runs)}")
+    return Judgement(claim, claim.check(run))
+
+
+def judge(run: Run) -> Iterator[Judgement]:
+    """Yield the verdict on each claim of the run's construction in turn; `run.progress` is told its id beforehand."""
+    for claim in CLAIMS:
+        if claim.check is not None and run.construction in claim.runs:
+            run.progress(claim.id)
+            yield Judgement(claim, claim.check(run))
