@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from exactmesh.claims.claim import Judgement
 from exactmesh.claims.ledger import judge
-from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.run import ConstructionName, MeshKind, Run
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
@@ -55,14 +55,16 @@ def mfs(pslg: Pslg) -> Nearest | None:
     return minimum_feature_size(pslg)
 
 
-def mesh(pslg: Pslg, construction: ConstructionName = "repaired", progress: Progress = _silent) -> Meshing:
-    """Return a nonproper triangulation of the bounded faces of `pslg`, less holes.
+def mesh(pslg: Pslg, construction: ConstructionName = "repaired", kind: MeshKind = "nonproper",
+         progress: Progress = _silent) -> Meshing:
+    """Return a triangulation of the bounded faces of `pslg`, less holes.
 
-    The repaired construction has degradation below 21.6; "paper" is the published one, for one simple polygon. Every
-    step is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
+    A nonproper one by the repaired construction has degradation at most 21.6, a proper one at most
+    max(21.6, 9 (1 + log2 n)) for n corners; "paper" is the published construction, for one simple polygon. Every step is
+    checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
     `progress` is called with the name of each step. Raises `InputError` when `pslg` is none or encloses nothing.
     """
-    return meshing_of(Run(pslg, construction, progress=progress))
+    return meshing_of(Run(pslg, construction, kind, progress=progress))
 
 
 def meshing_of(run: Run) -> Meshing:

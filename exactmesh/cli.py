@@ -5,6 +5,7 @@ Exit status: 0 all that was asked for holds; 1 a claim fails (results are still 
 """
 
 import argparse
+import contextlib
 import hashlib
 import json
 import os
@@ -16,7 +17,7 @@ from exactmesh import report
 from exactmesh.api import meshing_of, mfs, verify
 from exactmesh.claims.bounds import bounds
 from exactmesh.claims.ledger import CLAIMS, claim_by_id, judge_one
-from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.run import ConstructionName, MeshKind, Run
 from exactmesh.claims.status import ledger
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.data import EXAMPLES
@@ -39,9 +40,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     args = _parser().parse_args(argv)
     try:
         status: int = args.run(args)
-        sys.stdout.flush()
+        if sys.stdout is not None:  # None when the caller has closed it
+            sys.stdout.flush()
         return status
     except InputError as error:
+        if isinstance(error.__cause__, BrokenPipeError):
+            _abandon_output()
+            return FAILS
         print(f"exactmesh: {error}", file=sys.stderr)
         return REFUSED
     except ConstructionFailed as error:
@@ -52,9 +57,19 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("exactmesh: interrupted", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader of our output has gone; leave nothing for the interpreter to flush into the closed pipe.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _abandon_output()
         return FAILS
+    except OSError as error:
+        # Files are left to `exactmesh.io`, which raises `InputError`: this is standard output.
+        _abandon_output()
+        print(f"exactmesh: standard output: cannot be written: {error.strerror or error}", file=sys.stderr)
+        return REFUSED
+
+
+def _abandon_output() -> None:
+    """Leave nothing for the interpreter to flush into a pipe without a reader, or onto a full disk."""
+    with contextlib.suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -75,6 +90,8 @@ def _parser() -> argparse.ArgumentParser:
     command = commands.add_parser("mesh", help="triangulate a PSLG, checking every step and the result")
     command.add_argument("file", metavar="FILE")
     command.add_argument("-o", "--output", metavar="OUT", help="write the mesh (exactmesh-mesh/1)")
+    command.add_argument("--kind", choices=("nonproper", "proper"), default="nonproper",
+                         help="whether vertices may lie on sides of triangles (default: nonproper)")
     _add_construction(command, default="repaired")
     command.add_argument("--report", metavar="R", help="write what was checked (exactmesh-report/1)")
     command.add_argument("--svg", metavar="S", help="write a picture")
@@ -130,22 +147,29 @@ def _paper_option(text: str) -> tuple[str, str]:
     return name, value
 
 
-def _run(args: argparse.Namespace, pslg: Pslg, construction: ConstructionName, progress: Progress) -> Run:
-    return Run(pslg, construction, paper_options(dict(args.paper)), progress)
+def _run(args: argparse.Namespace, pslg: Pslg, construction: ConstructionName, kind: MeshKind, progress: Progress
+         ) -> Run:
+    return Run(pslg, construction, kind, paper_options(dict(args.paper)), progress)
 
 
 def _mfs(args: argparse.Namespace) -> int:
-    with Progress(args.quiet):
-        nearest = mfs(read_pslg(args.file).pslg)
+    with Progress(args.quiet) as progress:
+        progress("reading")
+        pslg = read_pslg(args.file).pslg
+        progress("mfs")
+        nearest = mfs(pslg)
     print(report.mfs_json(nearest) if args.json else report.mfs_text(nearest))
     return HOLDS
 
 
 def _mesh(args: argparse.Namespace) -> int:
+    outputs = [path for path in (args.output, args.report, args.svg) if path]
+    if len(set(outputs)) < len(outputs):
+        raise InputError("two results cannot go to one place: give each its own file")
     with Progress(args.quiet) as progress:
         progress("reading")
         source = read_pslg(args.file)
-        result = meshing_of(_run(args, source.pslg, args.construction, progress))
+        result = meshing_of(_run(args, source.pslg, args.construction, args.kind, progress))
         progress("writing")
         text = json_from_mesh(result.mesh)
         if args.output:
@@ -200,8 +224,8 @@ def _claims(args: argparse.Namespace) -> int:
             return HOLDS
         claim = chosen[0]
         pslg = read_pslg(args.on or str(WITNESSES.path(args.witness))).pslg
-        construction: ConstructionName = args.construction or next(iter(claim.runs), "repaired")
-        judgement = judge_one(claim, _run(args, pslg, construction, progress))
+        construction: ConstructionName = args.construction or (claim.runs or ("repaired",))[0]
+        judgement = judge_one(claim, _run(args, pslg, construction, claim.kinds[0], progress))
     print(json.dumps(report.claim_json(claim, judgement.verdict)) if args.json else report.claims_text([judgement]))
     if not judgement.verdict.holds:
         print(report.failures_text([judgement]), file=sys.stderr)

@@ -22,7 +22,10 @@ from exactmesh.steps.trapezoidation import trapezoidate
 
 @dataclass(frozen=True, slots=True)
 class PaperOptions:
-    """The choices that the text leaves open; the defaults are the most literal ones."""
+    """The choices that the text leaves open; the defaults are the most literal ones.
+
+    `rectangle` is no such choice: Theorem 1 fills the Tube's rectangles with Lemma 3, Theorem 2 in layers.
+    """
 
     reading: ReadingName = "octagon"
     right_angle: RightAngle = "chords"
@@ -34,7 +37,7 @@ class PaperOptions:
 
 PAPER_CHOICES: dict[str, tuple[str, ...]] = {
     "reading": get_args(ReadingName), "right_angle": get_args(RightAngle), "ties": get_args(Ties),
-    "teeth": get_args(Teeth), "tall": get_args(Tall), "rectangle": get_args(Filling)}
+    "teeth": get_args(Teeth), "tall": get_args(Tall)}
 
 
 def paper_options(chosen: Mapping[str, str]) -> PaperOptions:

@@ -19,7 +19,8 @@ class Progress:
 
     def __init__(self, quiet: bool) -> None:
         self._step = ""
-        self._shown = not quiet and sys.stderr.isatty()
+        # Standard error is None when the caller has closed it.
+        self._shown = not quiet and sys.stderr is not None and sys.stderr.isatty()
         self._done = threading.Event()
         self._thread = threading.Thread(target=self._refresh, daemon=True)
 

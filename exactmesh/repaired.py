@@ -1,7 +1,11 @@
-"""The repaired construction: a nonproper triangulation of every face, with degradation below 21.6."""
+"""The repaired construction: a triangulation of every face of the domain.
+
+A nonproper one has degradation below 21.6; a proper one pays a logarithm.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 from gmpy2 import mpq
 
@@ -14,6 +18,9 @@ from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
 from exactmesh.steps.shape import shape_of
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.tube import triangulate_tube
+
+
+RepairedKind = Literal["nonproper", "proper"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,9 +41,11 @@ class Construction:
                 + self.tube.points)
 
 
-def construct(subdivision: Subdivision, mfs_squared: mpq, progress: Callable[[str], None] = lambda step: None
-              ) -> Construction:
+def construct(subdivision: Subdivision, mfs_squared: mpq, progress: Callable[[str], None] = lambda step: None,
+              kind: RepairedKind = "nonproper") -> Construction:
     """Return the mesh of the domain of `subdivision`, step by step; `progress` is told the name of each step.
+
+    A proper mesh has layers where a nonproper one has T-vertices; the steps before are the same.
 
     Raises `ConstructionFailed` when a step finds no triangulation, which would be a counterexample to the design.
     """
@@ -47,12 +56,12 @@ def construct(subdivision: Subdivision, mfs_squared: mpq, progress: Callable[[st
     chords = trapezoidate(q)
     points = [*shape.points, *q.points, *chords.points]
     progress("interior")
-    interior = triangulate_interior(q, chords, points)
+    interior = triangulate_interior(q, chords, points, kind == "proper")
     points += interior.points
     progress("tube")
     chord_ends = [(edge, chords.first + i) for i, edge in enumerate(chords.edge)]
-    tube = triangulate_tube(shape, q, chord_ends + list(interior.on_edge), points)
+    tube = triangulate_tube(shape, q, chord_ends + list(interior.on_edge), points, kind == "proper")
     points += tube.points
     scaled = tuple(Point(p.x * shape.unit, p.y * shape.unit) for p in points[len(shape.points) :])
-    mesh = Mesh("nonproper", subdivision.pslg.vertices + scaled, shape.triangles + interior.faces + tube.faces)
+    mesh = Mesh(kind, subdivision.pslg.vertices + scaled, shape.triangles + interior.faces + tube.faces)
     return Construction(shape, q, chords, interior, tube, mesh)

@@ -37,10 +37,8 @@ def report_json(pslg: Pslg, input_sha256: str, meshing: Meshing, mesh_sha256: st
 
 def mfs_json(nearest: Nearest | None) -> str:
     """Return what `exactmesh mfs --json` prints."""
-    found: dict[str, object] = {"mfs_squared": _squared(nearest)}
-    if nearest is not None:
-        found |= {"decimal": sqrt_text(nearest.squared), "witness": _witness(nearest)}
-    return json.dumps(found)
+    decimal = None if nearest is None else sqrt_text(nearest.squared)
+    return json.dumps({"mfs_squared": _squared(nearest), "decimal": decimal, "witness": _witness(nearest)})
 
 
 def verification_json(verification: Verification) -> str:

@@ -25,14 +25,15 @@ def judge_one(claim: Claim, run: Run) -> Judgement:
     """Return the verdict on one claim; raises `InputError` when it cannot be judged in runs of that construction."""
     if claim.check is None:
         raise InputError(f"{claim.id} is about more than one input: there is nothing to judge on a file")
-    if run.construction not in claim.runs:
-        raise InputError(f"{claim.id} is judged in runs of the construction {' or '.join(claim.runs)}")
+    if not claim.concerns(run):
+        raise InputError(f"{claim.id} is judged in runs of the construction {' or '.join(claim.runs)}, "
+                         f"of {' or '.join(claim.kinds)} meshes")
     return Judgement(claim, claim.check(run))
 
 
 def judge(run: Run) -> Iterator[Judgement]:
     """Yield the verdict on each claim of the run's construction in turn; `run.progress` is told its id beforehand."""
     for claim in CLAIMS:
-        if claim.check is not None and run.construction in claim.runs:
+        if claim.check is not None and claim.concerns(run):
             run.progress(claim.id)
             yield Judgement(claim, claim.check(run))

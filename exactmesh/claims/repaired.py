@@ -1,7 +1,7 @@
 """The claims judged on every run of the repaired construction, in the order of its steps."""
 
 from exactmesh.claims.claim import Claim
-from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.run import ConstructionName, MeshKind, Run
 from exactmesh.measure.verdict import Verdict
 from exactmesh.steps import mesh_check, offset_check, patch_check, shape_check, trapezoidation_check
 from exactmesh.steps.constants import (
@@ -10,6 +10,8 @@ from exactmesh.steps.constants import (
     FEATURE,
     GAP,
     LEVEL,
+    PROPER_FACTOR,
+    PROPER_VERTICES_PER_CORNER,
     SEPARATION,
     THICKNESS_MAX,
     UNIT_SLACK,
@@ -18,6 +20,7 @@ from exactmesh.steps.constants import (
 
 _REPAIRED = "repaired construction"
 _RUNS: tuple[ConstructionName, ...] = ("repaired",)
+_NONPROPER: tuple[MeshKind, ...] = ("nonproper",)
 _GIVEN = ("the input is a planar straight-line graph", "the face is bounded and no bare triangle")
 
 
@@ -102,6 +105,10 @@ def _design_degradation(run: Run) -> Verdict:
     return mesh_check.check_design_degradation(run.verification)
 
 
+def _proper_degradation(run: Run) -> Verdict:
+    return mesh_check.check_proper_degradation(run.verification, run.repaired.shape.corner_count)
+
+
 REPAIRED_CLAIMS: tuple[Claim, ...] = (
     Claim("repaired.unit", _REPAIRED, "the unit m is at most mfs(P), and less by one millionth at most",
           (), f"mfs/m <= 1 + {UNIT_SLACK}", "square", _RUNS, _unit),
@@ -130,13 +137,17 @@ REPAIRED_CLAIMS: tuple[Claim, ...] = (
     Claim("repaired.interior-tiling", _REPAIRED, "the faces of the Interior tile the inside of Q",
           _GIVEN, "", "truth", _RUNS, _interior_tiles),
     Claim("repaired.interior-feature", _REPAIRED, "every face of the Interior keeps its feature size",
-          _GIVEN, f">= {FEATURE} mfs", "square", _RUNS, _interior_feature),
+          _GIVEN, f">= {FEATURE} mfs", "square", _RUNS, _interior_feature, kinds=_NONPROPER),
     Claim("repaired.tube-tiling", _REPAIRED, "the faces of the Tube tile what lies between P and Q",
           _GIVEN, "", "truth", _RUNS, _tube_tiles),
     Claim("repaired.tube-feature", _REPAIRED, "every face of the Tube keeps its feature size",
-          _GIVEN, f">= {FEATURE} mfs", "square", _RUNS, _tube_feature),
+          _GIVEN, f">= {FEATURE} mfs", "square", _RUNS, _tube_feature, kinds=_NONPROPER),
     Claim("repaired.steiner-count", _REPAIRED, "the number of Steiner vertices is linear, whatever the spread",
-          (), f"<= {VERTICES_PER_CORNER} a corner", "number", _RUNS, _vertex_count),
+          (), f"<= {VERTICES_PER_CORNER} a corner ({PROPER_VERTICES_PER_CORNER} in a proper mesh)", "number", _RUNS, _vertex_count),
     Claim("repaired.degradation", _REPAIRED, "the degradation is at most the design value",
-          (), f"<= {DESIGN_DEGRADATION}", "square", _RUNS, _design_degradation),
+          (), f"<= {DESIGN_DEGRADATION}", "square", _RUNS, _design_degradation, kinds=_NONPROPER),
+    Claim("repaired.proper-degradation", "repaired construction, for Theorem 2",
+          "the degradation of a proper mesh grows at most with the logarithm of the number n of corners",
+          ("n >= 4",), f"<= max({DESIGN_DEGRADATION}, {PROPER_FACTOR} (1 + log2 n))", "square", _RUNS, _proper_degradation,
+          kinds=("proper",)),
 )

@@ -1,6 +1,7 @@
 """One input and all that claims may ask of it, computed when it is first asked for."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
@@ -15,6 +16,10 @@ from exactmesh.steps.offset_curve import offset_curve
 from exactmesh.steps.records import OffsetCurve
 
 ConstructionName = Literal["repaired", "paper"]
+MeshKind = Literal["nonproper", "proper"]
+
+
+_DEFAULTS = PaperOptions()
 
 
 def _silent(step: str) -> None:
@@ -24,14 +29,16 @@ def _silent(step: str) -> None:
 class Run:
     """An input with a construction; the properties raise what the steps raise, `InputError` for a bad input.
 
-    `progress` is called with the name of each step as it begins.
+    `progress` is called with the name of each step as it begins. A proper mesh by the paper is Theorem 2's: its
+    rectangles are filled in layers.
     """
 
-    def __init__(self, pslg: Pslg, construction: ConstructionName = "repaired", options: PaperOptions | None = None,
-                 progress: Callable[[str], None] = _silent) -> None:
+    def __init__(self, pslg: Pslg, construction: ConstructionName = "repaired", kind: MeshKind = "nonproper",
+                 options: PaperOptions = _DEFAULTS, progress: Callable[[str], None] = _silent) -> None:
         self.pslg = pslg
         self.construction: ConstructionName = construction
-        self.options = options or PaperOptions()
+        self.kind: MeshKind = kind
+        self.options = replace(options, rectangle="layers") if kind == "proper" else options
         self.progress = progress
 
     @cached_property
@@ -56,7 +63,7 @@ class Run:
     @cached_property
     def repaired(self) -> Construction:
         """The repaired construction, step by step."""
-        return construct(self.subdivision, self.mfs.squared, self.progress)
+        return construct(self.subdivision, self.mfs.squared, self.progress, self.kind)
 
     @cached_property
     def paper(self) -> PaperConstruction:

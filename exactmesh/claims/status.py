@@ -1,6 +1,7 @@
 """What is known of each claim, computed from the witnesses: nothing here is typed by hand.
 
-Every claim is judged on every witness that comes with the package, in every construction it concerns. It is
+Every claim is judged on every witness that comes with the package, in every construction it concerns, on meshes of the
+first kind it names. It is
 "refuted" when it fails on one, "holds" when there were instances and none failed, "open" when there were none.
 """
 
@@ -10,7 +11,7 @@ from typing import Literal
 
 from exactmesh.claims.claim import Claim
 from exactmesh.claims.ledger import CLAIMS
-from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.run import ConstructionName, MeshKind, Run
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
@@ -50,16 +51,17 @@ class Entry:
 
 def ledger(claims: Iterable[Claim] = CLAIMS, progress: Callable[[str], None] = lambda step: None) -> list[Entry]:
     """Return what is known of the given claims; `progress` is told the name of each witness."""
-    runs: dict[tuple[str, ConstructionName], Run] = {}
+    runs: dict[tuple[str, ConstructionName, MeshKind], Run] = {}
     by_size = sorted(((len(pslg.vertices), name, pslg) for name in WITNESSES.names()
                       for pslg in [read_pslg(str(WITNESSES.path(name))).pslg]), key=lambda item: item[:2])
 
-    def run_of(name: str, construction: ConstructionName) -> Run:
-        if (name, construction) not in runs:
-            progress(f"{name} ({construction})")
+    def run_of(name: str, construction: ConstructionName, kind: MeshKind) -> Run:
+        key = name, construction, kind
+        if key not in runs:
+            progress(f"{name} ({construction}, {kind})")
             pslg = next(pslg for _, other, pslg in by_size if other == name)
-            runs[name, construction] = Run(pslg, construction)
-        return runs[name, construction]
+            runs[key] = Run(pslg, construction, kind)
+        return runs[key]
 
     names = [name for _, name, _ in by_size]
     return [Entry(claim, tuple(_judged(claim, construction, names, run_of) for construction in claim.runs))
@@ -67,14 +69,14 @@ def ledger(claims: Iterable[Claim] = CLAIMS, progress: Callable[[str], None] = l
 
 
 def _judged(claim: Claim, construction: ConstructionName, names: list[str],
-            run_of: Callable[[str, ConstructionName], Run]) -> Judged:
+            run_of: Callable[[str, ConstructionName, MeshKind], Run]) -> Judged:
     if claim.check is None:
         return Judged(construction, "open", 0)
     instances = 0
     refuted: tuple[str, Verdict] | None = None
     for name in names:
         try:
-            verdict = claim.check(run_of(name, construction))
+            verdict = claim.check(run_of(name, construction, claim.kinds[0]))
         except InputError:
             # The construction is not for this input (the paper's takes simple polygons only).
             continue

@@ -1,5 +1,6 @@
 """Pictures as SVG: for looking at, so coordinates are rounded here and nowhere else."""
 
+import re
 from collections.abc import Iterable
 
 from exactmesh.geometry.filtered import unit_floats
@@ -20,6 +21,7 @@ path { fill: none; stroke-linejoin: round; stroke-linecap: round; vector-effect:
 .witness { stroke: #c8102e; stroke-width: 3 }
 .given { fill: #14202e } .steiner { fill: #1f6fd6 } .near { fill: #c8102e }
 """
+_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 # Above this many vertices dots would hide the edges.
 _DOTS = 2000
 
@@ -53,7 +55,8 @@ def svg_from_mesh(pslg: Pslg, mesh: Mesh, verification: Verification) -> str:
 
 
 def _title(pslg: Pslg, verification: Verification) -> str:
-    name = pslg.name.replace("&", "&amp;").replace("<", "&lt;")
+    # A JSON name may hold control characters and lone surrogates; XML may not.
+    name = _NOT_XML.sub("\ufffd", pslg.name).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     text = f"{name + ': ' if name else ''}{verification.faces} faces, {verification.steiner} Steiner vertices"
     if verification.degradation_squared is not None:
         text += f", degradation {sqrt_text(verification.degradation_squared, 6)}"

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from gmpy2 import mpq
 
@@ -10,6 +10,11 @@ from exactmesh.geometry.point import Point, cross, dot, minus
 from exactmesh.steps.records import Cycle, Piece
 
 _ZERO = mpq(0)
+
+# Which anchors have fans beside the gaps that get apexes; and the reaches of the fans in heights, in order of trial.
+Mode = Literal["AB", "A", "B"]
+MODES: tuple[Mode, ...] = ("AB", "A", "B")
+REACHES = (2, 1, 3)
 
 
 class Candidate(NamedTuple):
@@ -64,6 +69,26 @@ class Frame:
             return _ZERO
         slope = (b.y - a.y) / (b.x - a.x)
         return min(a.y + slope * (start - a.x), a.y + slope * (end - a.x))
+
+    def gaps_between_fans(self, mode: Mode, reach: int) -> range | None:
+        """Return the gaps [u_j, u_j+1] left between the fans of the anchors; None when there are none.
+
+        The fan of A takes the initial run of u with u <= x_A + reach * h_A, that of B the final one likewise; in mode
+        "A" there is no fan of B, in mode "B" none of A.
+        """
+        start, end = 0, len(self.u) - 1
+        if mode != "B":
+            while start < len(self.u) - 1 and self.u[start + 1] <= self.a.x + reach * self.a.y:
+                start += 1
+        if mode != "A":
+            while end > 0 and self.u[end - 1] >= self.b.x - reach * self.b.y:
+                end -= 1
+        return range(start, end) if start < end else None
+
+    def fans(self, gaps: range) -> list[Cycle]:
+        """Return the faces of the two fans beside the given gaps."""
+        faces: list[Cycle] = [(j, j + 1, self.left) for j in range(gaps.start)]
+        return faces + [(j, j + 1, self.right) for j in range(gaps.stop, len(self.u) - 1)]
 
     def piece(self, chosen: Candidate) -> Piece:
         """Return a candidate in the plane, counter-clockwise there."""

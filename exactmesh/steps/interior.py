@@ -33,9 +33,10 @@ _TOP, _BOTTOM = 1, -1
 _LEFT, _RIGHT = 1, -1
 
 
-def triangulate_interior(offset: Offset, trapezoidation: Trapezoidation, points: Sequence[Point]) -> Patch:
+def triangulate_interior(offset: Offset, trapezoidation: Trapezoidation, points: Sequence[Point],
+                         proper: bool = False) -> Patch:
     """Return the triangulation of all trapezoids; `points` has the vertices of P, Q and the chord ends."""
-    mesh = PatchBuilder(points)
+    mesh = PatchBuilder(points, proper)
     of_q = range(offset.first, trapezoidation.first)
     for trapezoid in trapezoidation.trapezoids:
         _Face(mesh, of_q, trapezoid).triangulate()

@@ -1,10 +1,20 @@
 """Check the finished mesh: what the paper promises for every polygon, and what the repaired construction adds."""
 
-from gmpy2 import mpq
+from gmpy2 import mpq, mpz
 
 from exactmesh.measure.validity import Verification
 from exactmesh.measure.verdict import Tally, Verdict, failed
-from exactmesh.steps.constants import DESIGN_DEGRADATION, PAPER_DEGRADATION, PAPER_FEATURE, VERTICES_PER_CORNER
+from exactmesh.steps.constants import (
+    DESIGN_DEGRADATION,
+    PAPER_DEGRADATION,
+    PAPER_FEATURE,
+    PROPER_FACTOR,
+    PROPER_VERTICES_PER_CORNER,
+    VERTICES_PER_CORNER,
+)
+
+# log2 n is known to 2^-12: n^(2^12) has at most some ten thousand bits.
+_LOG_BITS = 12
 
 
 def check_valid(verification: Verification) -> Verdict:
@@ -34,9 +44,20 @@ def check_paper_feature(verification: Verification) -> Verdict:
     return tally.verdict()
 
 
+def check_proper_degradation(verification: Verification, corner_count: int) -> Verdict:
+    """Return the verdict on the squared degradation of a proper mesh against max(21.6, 9 (1 + log2 n)).
+
+    log2 n is replaced by a rational less than 2^-12 below it.
+    """
+    logarithm = mpq((mpz(corner_count) ** (1 << _LOG_BITS)).bit_length() - 1, 1 << _LOG_BITS)
+    bound = max(DESIGN_DEGRADATION, PROPER_FACTOR * (1 + logarithm))
+    return _degradation(verification, Tally("degradation <= max(21.6, 9 (1 + log2 n))", "<=", bound**2))
+
+
 def check_vertex_count(verification: Verification, corner_count: int) -> Verdict:
-    """Return the verdict on the number of Steiner vertices per corner of the input."""
-    tally = Tally("Steiner vertices <= 35 a corner", "<=", mpq(VERTICES_PER_CORNER))
+    """Return the verdict on the number of Steiner vertices per corner of the input: 35, or 51 in a proper mesh."""
+    limit = PROPER_VERTICES_PER_CORNER if verification.kind == "proper" else VERTICES_PER_CORNER
+    tally = Tally(f"Steiner vertices <= {limit} a corner", "<=", mpq(limit))
     tally.see(mpq(verification.steiner, corner_count), steiner=verification.steiner, corners=corner_count)
     return tally.verdict()
 
@@ -50,4 +71,8 @@ def _degradation(verification: Verification, tally: Tally) -> Verdict:
 
 def _place(verification: Verification) -> dict[str, object]:
     nearest = verification.mesh_mfs
-    return {} if nearest is None else {"vertex": nearest.vertex, "edge": list(nearest.feature)}
+    if nearest is None:
+        return {}
+    if nearest.is_vertex_pair:
+        return {"vertex": nearest.vertex, "other": nearest.feature[0]}
+    return {"vertex": nearest.vertex, "edge": list(nearest.feature)}

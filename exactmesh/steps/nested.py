@@ -9,20 +9,17 @@ A candidate is measured over all its faces; long ones carry T-vertices, listed i
 """
 
 from collections.abc import Iterator
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
-from exactmesh.steps.frame import Candidate, Frame
+from exactmesh.steps.frame import MODES, REACHES, Candidate, Frame, Mode
 from exactmesh.steps.heights import feature_squared, height_squared
 from exactmesh.steps.records import Cycle
 
-Mode = Literal["AB", "A", "B"]
-_MODES: tuple[Mode, ...] = ("AB", "A", "B")
 _HEIGHTS = (mpq(1, 5), mpq(23, 100))
 _HEIGHTS_FEW_GAPS = (mpq(1, 5), mpq(1, 4), mpq(1, 3), mpq(2, 5))
-_REACHES = (2, 1, 3)
 
 
 def nested_candidates(frame: Frame) -> Iterator[Candidate]:
@@ -31,9 +28,9 @@ def nested_candidates(frame: Frame) -> Iterator[Candidate]:
     if h0 <= 0:
         return
     heights = _HEIGHTS_FEW_GAPS if len(frame.u) <= 4 else _HEIGHTS
-    for mode in _MODES:
+    for mode in MODES:
         for beta in heights:
-            for reach in _REACHES:
+            for reach in REACHES:
                 if (candidate := _nested(frame, h0, mode, beta * h0, reach)) is not None:
                     yield candidate
 
@@ -68,16 +65,10 @@ def _nested(frame: Frame, h0: mpq, mode: Mode, height: mpq, reach: int) -> Candi
 def _layout(frame: Frame, h0: mpq, mode: Mode, reach: int) -> _Layout | None:
     """Return where the apexes stand; None when the fans of the anchors leave no gap."""
     u, a, b = frame.u, frame.a, frame.b
-    m = len(u) - 1
-    start, end = 0, m
-    if mode != "B":
-        while start < m and u[start + 1] <= a.x + reach * a.y:
-            start += 1
-    if mode != "A":
-        while end > 0 and u[end - 1] >= b.x - reach * b.y:
-            end -= 1
-    if start >= end:
+    gaps = frame.gaps_between_fans(mode, reach)
+    if gaps is None:
         return None
+    start, end = gaps.start, gaps.stop
     insets = [min((u[j + 1] - u[j]) / 2, h0) for j in range(start, end)]
     lows = [u[j] + insets[j - start] for j in range(start, end)]
     highs = [u[j + 1] - insets[j - start] for j in range(start, end)]
@@ -120,8 +111,7 @@ def _faces(frame: Frame, layout: _Layout, left_groups: list[int], right_groups: 
     start, end, z, xs = layout
     a, b, last = frame.left, frame.right, len(xs) - 1
     plain = (0, 0, 0)
-    faces: list[_Face] = [((j, j + 1, a), plain) for j in range(start)]
-    faces += [((j, j + 1, b), plain) for j in range(end, len(frame.u) - 1)]
+    faces: list[_Face] = [(fan, plain) for fan in frame.fans(range(start, end))]
     for i in range(len(xs)):
         faces.append(((start + i, start + i + 1, -1 - i), plain))
         if i < last:

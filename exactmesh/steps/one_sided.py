@@ -22,6 +22,7 @@ from exactmesh.geometry.predicates import doubled_area
 from exactmesh.steps.constants import FEATURE_SQUARED
 from exactmesh.steps.frame import Candidate, Frame, frame_of
 from exactmesh.steps.heights import height_squared
+from exactmesh.steps.layers import layered_candidates
 from exactmesh.steps.nested import nested_candidates
 from exactmesh.steps.quad import centre_value, centres
 from exactmesh.steps.records import Cycle, Piece
@@ -34,14 +35,17 @@ _HUB_PLACES = (mpq(1, 2), mpq(3, 10), mpq(7, 10))
 _HUB_HEIGHTS = (mpq(7, 10), mpq(1, 2), mpq(4, 5))
 
 
-def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point) -> Piece:
-    """Return the first triangulation that reaches the feature size wanted, else the best one there is."""
+def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: bool = False) -> Piece:
+    """Return the first triangulation that reaches the feature size wanted, else the best one there is.
+
+    A `proper` one has no T-vertices: layers take the place of nested triangles.
+    """
     if a == b:
         return _single_fan(t_side, a)
     frame = frame_of(t_side, a, b)
     wanted = FEATURE_SQUARED * frame.scale_squared
     best: Candidate | None = None
-    for candidate in _candidates(frame):
+    for candidate in _candidates(frame, proper):
         if candidate.value > 0 and (best is None or candidate.value > best.value):
             best = candidate
             if best.value >= wanted:
@@ -58,10 +62,10 @@ def _single_fan(t_side: Sequence[Point], a: Point) -> Piece:
     return Piece(tuple((j, j + 1, apex) if is_left else (j + 1, j, apex) for j in range(apex - 1)))
 
 
-def _candidates(frame: Frame) -> Iterator[Candidate]:
-    """Yield split, nested, then for one gap centres and for a few gaps hubs."""
+def _candidates(frame: Frame, proper: bool) -> Iterator[Candidate]:
+    """Yield split, nested or layered, then for one gap centres and for a few gaps hubs."""
     yield from _splits(frame)
-    yield from nested_candidates(frame)
+    yield from layered_candidates(frame) if proper else nested_candidates(frame)
     m = len(frame.u) - 1
     if m == 1:
         yield from _centred(frame)

@@ -10,9 +10,10 @@ from exactmesh.steps.records import Cycle, Patch, Piece
 
 
 class PatchBuilder:
-    """Faces and new vertices as they are made."""
+    """Faces and new vertices as they are made; `proper` asks for faces of three vertices."""
 
-    def __init__(self, points: Sequence[Point]) -> None:
+    def __init__(self, points: Sequence[Point], proper: bool = False) -> None:
+        self.proper = proper
         self.points = list(points)
         self.first = len(points)
         self.faces: list[Cycle] = []
@@ -45,7 +46,7 @@ class PatchBuilder:
         if len(t_side) == 1:
             self.add_triangle(t_side[0], a, b)
             return
-        piece = triangulate_one_sided([self.points[v] for v in t_side], self.points[a], self.points[b])
+        piece = triangulate_one_sided([self.points[v] for v in t_side], self.points[a], self.points[b], self.proper)
         self.add_piece(piece, (*t_side, a, b))
 
     def add_piece(self, piece: Piece, names: Sequence[int]) -> None:

@@ -56,7 +56,7 @@ def check_feature(patch: Patch, points: Sequence[Point]) -> Verdict:
         corners = corners_of(points, cycle)
         value = 0 * FEATURE_SQUARED if isinstance(corners, NotTriangle) else face_feature_squared(
             points, cycle, corners)
-        tally.see(value, face=list(cycle), at=str(points[cycle[0]]))
+        tally.see(value, face=list(cycle), at=str(points[cycle[0]]) if cycle else "")
     return tally.verdict()
 
 

@@ -19,9 +19,10 @@ from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Offset, Patch, Shape
 
 
-def triangulate_tube(shape: Shape, offset: Offset, on_edge: Sequence[tuple[int, int]], points: Sequence[Point]) -> Patch:
+def triangulate_tube(shape: Shape, offset: Offset, on_edge: Sequence[tuple[int, int]], points: Sequence[Point],
+                     proper: bool = False) -> Patch:
     """Return the triangulation of the Tube; `on_edge` pairs edges of Q with the vertices that lie on them."""
-    mesh = PatchBuilder(points)
+    mesh = PatchBuilder(points, proper)
     following = offset.successors()
     recorded: dict[int, list[int]] = defaultdict(list)
     for edge, v in on_edge:

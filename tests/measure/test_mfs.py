@@ -109,7 +109,7 @@ def graphs(draw: st.DrawFn) -> Pslg:
     return Pslg(at, tuple((u, v) if draw(st.booleans()) else (v, u) for u, v in kept))
 
 
-@settings(max_examples=400, deadline=None, derandomize=True)
+@settings(max_examples=250, deadline=None, derandomize=True)
 @given(graphs())
 @example(pslg([(0, 0), (2, 2), (0, 2), (2, 0)], [(0, 1), (2, 3)]))  # crossing edges
 def test_points_with_few_edges_crossing_ones_among_them(graph: Pslg) -> None:

@@ -65,10 +65,8 @@ class Case:
         """Assert the feature sizes of a valid mesh, and that the witnesses have them."""
         assert found.input_mfs is not None and found.mesh_mfs is not None
         assert found.input_mfs.squared == oracle.mfs_squared(self.pslg.vertices, self.pslg.edges)
-        if self.mesh.kind != "internal":
-            expected = oracle.degradation_squared(
-                self.pslg.vertices, self.pslg.edges, self.mesh.vertices, self.mesh.faces)
-            assert found.degradation_squared == expected
+        assert found.degradation_squared == oracle.degradation_squared(
+            self.pslg.vertices, self.pslg.edges, self.mesh.vertices, self.mesh.faces)
         at, (a, b) = self.mesh.vertices, found.mesh_mfs.feature
         assert found.mesh_mfs.vertex not in (a, b)
         assert segment_distance_squared(at[found.mesh_mfs.vertex], at[a], at[b]) == found.mesh_mfs.squared
@@ -454,7 +452,7 @@ CALM = {name: harmed for name, (harmed, clause) in HARMED.items()
 def test_order_start_numbering_and_place_change_no_verdict(
         name: str, change: Callable[[Case, random.Random], Case]) -> None:
     given = (SOUND | CALM)[name]
-    for seed in range(3):
+    for seed in range(2):
         before, after = given.verify(), change(given, random.Random(seed)).verify()
         assert {v.clause for v in before.violations} == {v.clause for v in after.violations}
         assert before.degradation_squared == after.degradation_squared
@@ -602,7 +600,7 @@ STARTS = [SOUND[name] for name in SOUND if name not in ("made of a pslg",)]
 @pytest.mark.parametrize("change", CHANGES)
 def test_random_changes_are_judged_as_by_the_oracle(change: Callable[[Case, random.Random], Case]) -> None:
     for number, start in enumerate(STARTS):
-        for seed in range(12):
+        for seed in range(8):
             change(start, random.Random(f"{change.__name__} {number} {seed}")).judged()
 
 

@@ -311,7 +311,7 @@ def test_many_edges_at_one_vertex_pass_and_any_of_them_twice_does_not() -> None:
     directions = [(x, y) for x, y in product(range(-3, 4), repeat=2) if gcd(x, y) == 1]
     star = pslg([(0, 0), *directions], [(0, i + 1) for i in range(len(directions))])
     assert judged(star) == "valid"
-    for i in range(len(directions)):
+    for i in range(0, len(directions), 3):
         assert judged(Pslg(star.vertices, (*star.edges, (i + 1, 0)))) == "EdgesOverlap"
 
 

@@ -1,0 +1,92 @@
+"""The checkers of the finished mesh: every bound is exact, and an invalid mesh fails them all."""
+
+from dataclasses import replace
+
+import pytest
+from constructions import clauses_of, run
+from gmpy2 import mpq
+
+from exactmesh.measure.mfs import Nearest
+from exactmesh.measure.validity import Violation
+from exactmesh.steps import mesh_check
+from exactmesh.steps.mesh_check import (
+    check_design_degradation,
+    check_paper_degradation,
+    check_paper_feature,
+    check_valid,
+    check_vertex_count,
+)
+
+FAMILIES = ["hall", "triangle", "comb 5", "turned comb", "random pslg 1", "star 24", "tiny", "huge"]
+GOOD = run("hall").verification
+INPUT = GOOD.input_mfs.squared
+TINY = mpq(1, 10**40)
+ON_MESH = [check_paper_degradation, check_design_degradation, check_paper_feature]
+
+
+def degraded(squared):
+    """Return the verification of a mesh of this squared degradation."""
+    return replace(GOOD, mesh_mfs=Nearest(INPUT / mpq(squared), 3, (1, 2)))
+
+
+def invalid():
+    """Return the verification of a mesh with two violations."""
+    return replace(GOOD, mesh_mfs=None, violations=(Violation("overlap", {"face": 7}),
+                                                    Violation("unused-vertex", {"vertex": 1})))
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_good_results_are_accepted(name):
+    made = run(name)
+    for check in (*ON_MESH, check_valid):
+        assert check(made.verification).holds
+    assert check_vertex_count(made.verification, made.construction.shape.corner_count).holds
+    assert check_valid(made.verification).instances == len(made.construction.mesh.faces)
+
+
+@pytest.mark.parametrize("check, squared, holds, clause", [
+    (check_paper_degradation, 45**2 - TINY, True, "degradation < 45"),
+    (check_paper_degradation, 45**2, False, "degradation < 45"),
+    (check_paper_degradation, 45**2 + TINY, False, "degradation < 45"),
+    (check_design_degradation, mpq("108/5") ** 2, True, "degradation <= 21.6"),
+    (check_design_degradation, mpq("108/5") ** 2 + TINY, False, "degradation <= 21.6"),
+    (check_paper_feature, 1 / mpq("22/1000") ** 2, True, "mfs >= 0.022 mfs(P)"),
+    (check_paper_feature, 1 / mpq("22/1000") ** 2 + TINY, False, "mfs >= 0.022 mfs(P)"),
+])
+def test_the_bounds_are_exact(check, squared, holds, clause):
+    verdict = check(degraded(squared))
+    assert verdict.holds == holds and verdict.witness.clause == clause and verdict.instances == 1
+    assert verdict.witness.place == {"vertex": 3, "edge": [1, 2]}
+
+
+def test_a_mesh_no_worse_than_its_input_holds():
+    assert all(check(degraded(1)).holds for check in ON_MESH)
+
+
+@pytest.mark.parametrize("steiner, holds", [(0, True), (350, True), (351, False)])
+def test_35_vertices_a_corner_are_allowed(steiner, holds):
+    verdict = check_vertex_count(replace(GOOD, steiner=steiner), 10)
+    assert verdict.holds == holds and verdict.worst == mpq(steiner, 10)
+    assert verdict.witness.clause == "Steiner vertices <= 35 a corner"
+
+
+@pytest.mark.parametrize("check", ON_MESH)
+def test_an_invalid_mesh_has_no_degradation(check):
+    verdict = check(invalid())
+    assert not verdict.holds and verdict.worst is None
+    assert (verdict.witness.clause, verdict.witness.place) == ("the mesh is valid", {"violations": 2})
+
+
+def test_the_first_violation_is_the_witness():
+    verdict = check_valid(invalid())
+    assert not verdict.holds and (verdict.witness.clause, verdict.witness.place) == ("overlap", {"face": 7})
+
+
+def test_a_pair_of_vertices_is_named_as_such():
+    verdict = check_paper_degradation(replace(GOOD, mesh_mfs=Nearest(INPUT, 3, (8, 8))))
+    assert verdict.witness.place == {"vertex": 3, "other": 8}
+
+
+def test_every_clause_is_tested_above():
+    assert clauses_of(mesh_check) == {"degradation < 45", "degradation <= 21.6", "mfs >= 0.022 mfs(P)",
+                                      "Steiner vertices <= 35 a corner", "the mesh is valid"}
