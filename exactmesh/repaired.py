@@ -12,15 +12,16 @@ from gmpy2 import mpq
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import Subdivision
 from exactmesh.planar.mesh import Mesh
+from exactmesh.steps.columns import triangulate_in_columns
 from exactmesh.steps.interior import triangulate_interior
 from exactmesh.steps.offset import offset
 from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
 from exactmesh.steps.shape import shape_of
 from exactmesh.steps.trapezoidation import trapezoidate
-from exactmesh.steps.tube import triangulate_tube
+from exactmesh.steps.tube import triangulate_tube, triangulate_tube_in_columns
 
 
-RepairedKind = Literal["nonproper", "proper"]
+RepairedKind = Literal["nonproper", "proper", "internal"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,26 +42,30 @@ class Construction:
                 + self.tube.points)
 
 
-def construct(subdivision: Subdivision, mfs_squared: mpq, progress: Callable[[str], None] = lambda step: None,
+def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[str], None] = lambda step: None,
               kind: RepairedKind = "nonproper") -> Construction:
     """Return the mesh of the domain of `subdivision`, step by step; `progress` is told the name of each step.
 
-    A proper mesh has layers where a nonproper one has T-vertices; the steps before are the same.
+    `size_squared` is the squared feature size to be kept: the mfs, or the ifs for an internal mesh. A proper mesh has
+    layers where a nonproper one has T-vertices; an internal one passes T-vertices on, up to the edges of P.
 
     Raises `ConstructionFailed` when a step finds no triangulation, which would be a counterexample to the design.
     """
-    shape = shape_of(subdivision, mfs_squared)
+    shape = shape_of(subdivision, size_squared)
     progress("offset")
     q = offset(shape)
     progress("trapezoidation")
     chords = trapezoidate(q)
     points = [*shape.points, *q.points, *chords.points]
     progress("interior")
-    interior = triangulate_interior(q, chords, points, kind == "proper")
+    interior = (triangulate_in_columns(q, chords, points) if kind == "internal" else
+                triangulate_interior(q, chords, points, kind == "proper"))
     points += interior.points
     progress("tube")
     chord_ends = [(edge, chords.first + i) for i, edge in enumerate(chords.edge)]
-    tube = triangulate_tube(shape, q, chord_ends + list(interior.on_edge), points, kind == "proper")
+    recorded = chord_ends + list(interior.on_edge)
+    tube = (triangulate_tube_in_columns(shape, q, recorded, points) if kind == "internal" else
+            triangulate_tube(shape, q, recorded, points, kind == "proper"))
     points += tube.points
     scaled = tuple(Point(p.x * shape.unit, p.y * shape.unit) for p in points[len(shape.points) :])
     mesh = Mesh(kind, subdivision.pslg.vertices + scaled, shape.triangles + interior.faces + tube.faces)

@@ -5,7 +5,7 @@ import inspect
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 from itertools import pairwise
 from types import ModuleType
 from typing import Any, NamedTuple
@@ -67,7 +67,7 @@ def made_of(pslg: Pslg) -> Made:
     return Made(subdivision, nearest, construction, verify_mesh(subdivision, construction.mesh))
 
 
-@lru_cache(maxsize=None)
+@cache
 def run(name: str) -> Made:
     """Return the steps on `HALL` or on one of the families of small inputs, by name."""
     return made_of(HALL if name == "hall" else (families.ALL_SMALL | families.SMALL_PSLGS)[name])
@@ -144,5 +144,12 @@ def clauses_of(checker: ModuleType) -> set[str]:
             texts = [] if place is None else node.args[place : place + 1]
         else:
             texts = [node.value] if isinstance(node, ast.Return) and node.value is not None else []
-        found |= {text.value for text in texts if isinstance(text, ast.Constant) and isinstance(text.value, str)}
+        found |= {text for node in texts if (text := _text(node)) is not None}
     return found
+
+
+def _text(node: ast.expr) -> str | None:
+    """Return a text as it stands in a source, with {} for what is put into it."""
+    if isinstance(node, ast.JoinedStr):
+        return "".join(_text(part) or "{}" for part in node.values)
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None

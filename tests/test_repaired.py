@@ -6,7 +6,7 @@ from fractions import Fraction
 import families
 import oracle
 import pytest
-from constructions import HALL
+from constructions import HALL, made_of
 from gmpy2 import mpq
 
 from exactmesh.api import Meshing, mesh, verify
@@ -117,8 +117,6 @@ def test_moving_by_whole_levels_does_not_matter(name: str) -> None:
 
 def mesh_unit(pslg: Pslg) -> mpq:
     """Return the unit m of the construction: dyadic, 24 bits, at most the mfs."""
-    from constructions import made_of
-
     return made_of(pslg).construction.shape.unit
 
 

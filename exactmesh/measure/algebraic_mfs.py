@@ -28,6 +28,7 @@ from exactmesh.planar.pslg import Edge
 
 Place = tuple[Real, Real]
 Label = tuple[int, int]
+_ZERO = mpq(0)
 _BITS = 256
 _ROW = 256
 
@@ -61,7 +62,7 @@ def real_place(p: Point) -> Place:
 
 
 def algebraic_mfs(places: Sequence[Place], edges: Sequence[Edge], relation: Relation = ">=",
-                  bound: mpq | Real = mpq(0)) -> Least | None:
+                  bound: mpq | Real = _ZERO) -> Least | None:
     """Return the least squared distance between a place and an edge that does not contain it, for a graph in which
     every vertex is on an edge and every edge meets another; None when there is no pair."""
     pairs = nearest_candidates(approximated(places), edges)
@@ -69,7 +70,7 @@ def algebraic_mfs(places: Sequence[Place], edges: Sequence[Edge], relation: Rela
 
 
 def least_between(places: Sequence[Place], groups: Sequence[Labelled], relation: Relation = ">=",
-                  bound: mpq | Real = mpq(0)) -> Least | None:
+                  bound: mpq | Real = _ZERO) -> Least | None:
     """Return the least squared distance over all pairs of all groups; None when there is none. Quadratic."""
     if not places:
         return None

@@ -39,5 +39,10 @@ VERTICES_PER_CORNER = 35
 PROPER_FACTOR = mpq(9)
 PROPER_VERTICES_PER_CORNER = VERTICES_PER_CORNER + 16
 
+# In internal meshes an edge across a trapezoid or the Tube ends at a vertex within this distance of its line.
+MERGE = FLAT
+# In internal meshes a chord ends where it comes as near as this to a shallow leg.
+TRIM = mpq(57, 1000)
+
 # A wedge is cut off where a leg lies under a side by more than this many heights of the trapezoid.
 WEDGE_HEIGHTS = 2

@@ -10,6 +10,7 @@ Check   `lemma_3_check.py`
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from gmpy2 import mpq
 
@@ -20,7 +21,7 @@ from exactmesh.steps.records import Cycle, UnitPiece
 def triangulate_in_layers(positions: Sequence[int]) -> UnitPiece:
     """Return a proper triangulation of the rectangle; at least one inner position must be occupied."""
     m = len(positions) - 1
-    if m < 2 or positions[0] != 0 or any(u >= v for u, v in zip(positions, positions[1:], strict=False)):
+    if m < 2 or positions[0] != 0 or any(u >= v for u, v in pairwise(positions)):
         raise ValueError(f"positions must increase from 0 and have one inside, not {list(positions)}")
     left, right = m + 1, m + 2
     layers = [list(range(1, m))]

@@ -17,6 +17,7 @@ Check   `lemma_3_check.py`
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from gmpy2 import mpq
@@ -30,7 +31,7 @@ _LOW = mpq(1, 3)
 
 def triangulate_rectangle(positions: Sequence[int], teeth: Teeth = "midpoint") -> UnitPiece:
     """Return the nonproper triangulation of Lemma 3; at least one inner position must be occupied."""
-    if len(positions) < 3 or positions[0] != 0 or any(u >= v for u, v in zip(positions, positions[1:], strict=False)):
+    if len(positions) < 3 or positions[0] != 0 or any(u >= v for u, v in pairwise(positions)):
         raise ValueError(f"positions must increase from 0 and have one inside, not {list(positions)}")
     return _Figure(tuple(positions), teeth).run()
 
@@ -66,7 +67,7 @@ class _Figure:
         if first.has_foot:
             self._face(0, first.left, first.index)
         self._face(0, first.index, self.a)
-        for node, following in zip(self.nodes, self.nodes[1:], strict=False):
+        for node, following in pairwise(self.nodes):
             self._between(node, following)
         self._face(self.a, *last.on_edge, self.c)
         self._face(m - 1, m, last.index)
@@ -100,7 +101,7 @@ class _Figure:
             above = [node.index for node in self.nodes if not node.has_foot and node.left == j]
             if above:
                 self._face(j, j + 1, above[-1])
-                for e, f in zip(above, above[1:], strict=False):
+                for e, f in pairwise(above):
                     self._face(j, f, e)
 
     def _between(self, node: _Node, following: _Node) -> None:
@@ -145,7 +146,7 @@ class _Figure:
             self._face(node.index, following.index, top)
         for j, apex in enumerate(apexes, start):
             self._face(j, j + 1, apex)
-        for j, (apex, after) in enumerate(zip(apexes, apexes[1:], strict=False), start + 1):
+        for j, (apex, after) in enumerate(pairwise(apexes), start + 1):
             self._face(apex, j, after)
         if apexes and apexes[-1] != following.index:
             self._face(apexes[-1], end, following.index)

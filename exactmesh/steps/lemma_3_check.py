@@ -14,6 +14,7 @@ Layers       (Theorem 2) faces keep min(h, w) / (sqrt(2) J) with J = 1 + floor(l
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from gmpy2 import mpq
 
@@ -87,7 +88,7 @@ def check_positions(tube: PaperTube, points: Sequence[Point]) -> Verdict:
     """Return whether vertices stand at the recorded multiples of w, which increase; one instance a rectangle."""
     for number, record in enumerate(tube.rectangles):
         b, a, grid = points[record.side[0]], points[record.side[-1]], record.grid
-        if grid[0] != 0 or any(i >= j for i, j in zip(grid, grid[1:], strict=False)) or len(grid) != len(record.side):
+        if grid[0] != 0 or any(i >= j for i, j in pairwise(grid)) or len(grid) != len(record.side):
             return failed(number + 1, "positions increase from 0", rectangle=number)
         for v, j in zip(record.side, grid, strict=True):
             share = mpq(j, grid[-1])

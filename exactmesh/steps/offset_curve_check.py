@@ -12,12 +12,13 @@ mfs/4 that are no nearer to another feature of P form one segment, since feature
 or more; the clauses place its two ends, and between edges only the arcs about reflex corners are left.
 """
 
+from collections.abc import Sequence
 from itertools import chain
 
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point, dot
-from exactmesh.measure.algebraic_mfs import Labelled, Least, algebraic_mfs, least_between, real_place
+from exactmesh.measure.algebraic_mfs import Labelled, Least, Place, algebraic_mfs, least_between, real_place
 from exactmesh.measure.verdict import Relation, Tally, Verdict, Witness, failed
 from exactmesh.numbers.algebraic import Real, sqrt
 from exactmesh.planar.pslg import Edge
@@ -165,8 +166,7 @@ def _distance_from_p(shape: Shape, curve: OffsetCurve, p3: Polygons, relation: R
     return _verdict(len(p3.places), clause, least, places, curve)
 
 
-def _verdict(instances: int, clause: str, least: Least | None, places: "list[tuple[Real, Real]] | tuple[RealPoint, ...]",
-             curve: OffsetCurve) -> Verdict:
+def _verdict(instances: int, clause: str, least: Least | None, places: Sequence[Place], curve: OffsetCurve) -> Verdict:
     if least is None:
         return Verdict(instances, True)
     place = {"from": decimal_place(places[least.vertex]), "to": [decimal_place(places[v]) for v in least.edge]}

@@ -24,7 +24,7 @@ from exactmesh.steps.records import Cycle, Offset, Patch, Trapezoid, Trapezoidat
 def check_tiling(p4: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point]) -> Verdict:
     """Return whether P6 has one vertex in each trapezoid and tiles the inside of P4; one instance a face."""
     owner, _ = directed_edges(interior.faces)
-    inside = []
+    inside: list[int] = []
     for number, z in enumerate(chords.trapezoids):
         apexes = {v for face in _faces_along(z, owner, interior) for v in face if v >= interior.first}
         if len(apexes) != (0 if z.bl == z.br or z.tl == z.tr else 1):

@@ -8,8 +8,8 @@ Paper   phase 2 speaks of angles before snapping and reinstates the snapping lat
         the start, and the rectangle is built on its top (a claim says what its motion would be).
         Phase 3 puts its vertex at 1/(8 d3) from the bottom: below the middle of the top in a quasi-trapz left by
         phase 2, whose height is 1/(2 d3). One without vertices on its top is about 1/4 high, and the text's reason
-        does not apply: `tall` "lemma-1" takes Lemma 1's vertex, half way up, as for any trapezoid; "low" keeps 1/(8 d3),
-        over Lemma 1's abscissa, which can even lie outside.
+        does not apply: `tall` "lemma-1" takes Lemma 1's vertex, half way up, as for any trapezoid; "low" keeps
+        1/(8 d3), over Lemma 1's abscissa, which can even lie outside.
         `rectangle` is Lemma 3 ("nested") or Theorem 2 ("layers").
 Check   `paper_tube_check.py`
 """

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -63,7 +64,7 @@ def test_ids_are_permanent() -> None:
 @pytest.mark.parametrize("claim", CLAIMS, ids=lambda claim: claim.id)
 def test_records_say_what_they_must(claim: Any) -> None:
     assert claim.says and claim.paper and claim.id == claim.id.lower() and claim.id.count(".") == 1
-    assert not claim.says.endswith(".") and "\n" not in claim.says + claim.bound + claim.paper
+    assert "\n" not in claim.says + claim.bound + claim.paper
     assert (claim.check is None) or claim.runs
     if claim.check is not None and claim.quantity != "truth":
         assert claim.bound
@@ -166,7 +167,7 @@ def close_t_vertices(done: Run) -> None:
     q = range(made.offset.first, made.trapezoidation.first)
     for z in made.trapezoidation.trapezoids:
         for row in ((z.bl, *z.bottom, z.br), (z.tl, *z.top, z.tr)):
-            for u, v in zip(row, row[1:], strict=False):
+            for u, v in pairwise(row):
                 if len(row) > 2 and u in q and v in q:
                     k = (u if u in row[1:-1] else v) - made.offset.first
                     other = (v if u in row[1:-1] else u) - made.offset.first

@@ -1,5 +1,6 @@
 """The float filter: always the exact sign, and the path that decided is known."""
 
+import random
 from itertools import permutations, product
 
 import pytest
@@ -82,6 +83,14 @@ def test_huge_offsets_and_scales_do_not_send_plain_triples_to_the_exact_path(off
     for i, j, k in permutations(range(4), 3):
         assert filtered.orientation(i, j, k) == orientation(points[i], points[j], points[k]) != 0
     assert filtered.decided_exactly == 0
+
+
+def test_collinear_points_that_floats_see_beside_their_line_are_decided_exactly() -> None:
+    source = random.Random(1)
+    for _ in range(2000):
+        a, b, c, d = (mpq(source.randint(-999, 999), 1000) for _ in range(4))
+        points = [Point(a + t * c, b + t * d) for t in (mpq(source.randint(-99, 99), 97) for _ in range(3))]
+        assert decided([*points, Point(mpq(-2), mpq(-2)), Point(mpq(2), mpq(2))]) == (0, True)
 
 
 def test_a_cluster_below_the_resolution_of_floats_is_decided_exactly() -> None:

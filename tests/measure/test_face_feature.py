@@ -88,7 +88,9 @@ def faces(draw: st.DrawFn) -> tuple[list[Point], tuple[int, ...]]:
     corner = st.builds(Point, near, near)
     a, b, c = draw(st.tuples(corner, corner, corner).filter(lambda t: orientation(*t) > 0))
     run: list[Point] = []
-    parts = st.lists(st.one_of(st.builds(mpq, st.integers(1, 8), st.just(9)), st.just(mpq(1, 10**12))),
+    # Ninths, a vertex next to the corner, and two next to each other in the middle.
+    special = st.sampled_from([mpq(1, 10**12), mpq(1, 2), mpq(1, 2) + mpq(1, 10**12)])
+    parts = st.lists(st.one_of(st.builds(mpq, st.integers(1, 8), st.just(9)), special),
                      max_size=3, unique=True).map(sorted)
     for p, q in ((a, b), (b, c), (c, a)):
         run.append(p)
@@ -133,9 +135,12 @@ def test_turning_the_cycle_changes_no_feature_size_and_reversing_it_makes_it_no_
 def test_by_hand() -> None:
     right = points((0, 0), (4, 0), (0, 3), (1, 0), (2, 0), (0, "1/10"), ("2/5", "27/10"))
     assert face_feature_squared(right, (0, 1, 2), [0, 1, 2]) == Fraction(144, 25)
-    # Neighbours on a side are 1 apart; the vertex (2, 0) is 6/5 from the hypotenuse.
+    # The vertex (1, 0) is 1 from the leg, (2, 0) is 6/5 from the hypotenuse.
     assert face_feature_squared(right, (0, 3, 4, 1, 2), [0, 3, 4]) == 1
     assert face_feature_squared(right, (0, 4, 1, 2), [0, 2, 3]) == Fraction(36, 25)
     assert face_feature_squared(right, (0, 1, 2, 5), [0, 1, 2]) == Fraction(1, 100)
     # The vertex on the hypotenuse is 2/5 from the leg.
     assert face_feature_squared(right, (0, 1, 6, 2), [0, 1, 3]) == Fraction(4, 25)
+    # Neighbours on a side, far from the two other ones.
+    wide = points((0, 0), (9, 0), (0, 9), (4, 0), (5, 0))
+    assert face_feature_squared(wide, (0, 3, 4, 1, 2), [0, 3, 4]) == 1

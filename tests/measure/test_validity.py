@@ -164,6 +164,20 @@ def test_degradation_of_internal_meshes_counts_the_whole_mesh() -> None:
     assert found.mesh_mfs.squared == oracle.mfs_squared(notch.mesh.vertices, edges) < Fraction(1, 10)
 
 
+def test_the_nearest_pair_may_lie_outside_the_domain() -> None:
+    # Two isolated vertices; an edge beside the corner (0, 0), which a mesh of the inside does not see.
+    pair = case([*SQUARE, (6, 1), (6, "9/8")], cycle(4), [], CLASSIC.mesh.faces, "classic")
+    beside = [*SQUARE, ("-1/9", -1), ("-1/9", 2)]
+    for given, squared in [(pair, Fraction(1, 64)),
+                           (case(beside, [*cycle(4), (4, 5)], [], CLASSIC.mesh.faces, "classic"), Fraction(1, 81)),
+                           (case(beside, [*cycle(4), (4, 5)], [(2, 0)],
+                                 ((0, 6, 3), (6, 1, 2), (6, 2, 3)), "internal"), Fraction(1, 81))]:
+        assert given.judged() == set()
+        found = given.verify()
+        assert found.mesh_mfs is not None and found.mesh_mfs.squared == squared
+        assert found.degradation_squared == 1
+
+
 # --- harm, with the clause it breaks ---
 
 HARMED: dict[str, tuple[Case, str]] = {
@@ -269,6 +283,8 @@ HARMED: dict[str, tuple[Case, str]] = {
     "isolated vertex on an edge of the mesh": (
         case([*SQUARE, (2, 2)], cycle(4), [], ((0, 1, 2), (0, 2, 3)), "classic"), "unused-vertex"),
     # internal meshes
+    "internal: input vertex missing": (
+        SPLIT.with_mesh(vertices=points(SQUARE[:3]), faces=((0, 1, 2),)), "input-vertices"),
     "internal: off the boundary by a tiny step": (SPLIT.with_vertex(4, 2, TINY), "input-edge"),
     "internal: beyond the boundary by a tiny step": (SPLIT.with_vertex(4, 2, -TINY), "input-edge"),
     "internal: piece of the boundary missing": (SPLIT.without(0), "input-edge"),

@@ -15,7 +15,7 @@ from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.patch_check import check_interior_tiling
 from exactmesh.steps.trapezoidation import trapezoidate
 
-NAMES = sorted(families.ALL_SMALL | families.SMALL_PSLGS) + ["hall"]
+NAMES = [*sorted(families.ALL_SMALL | families.SMALL_PSLGS), "hall"]
 # A ledge on level 1 between a long wedge below it and a room on its right.
 LEDGE = [(40, 0), (60, 0), (60, 5), (30, 5), (30, 1), (20, 1), (10, 1), (0, 1)]
 # A nearly flat band whose whole top lies above the wedge, the corner at its end as well.

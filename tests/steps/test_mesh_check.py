@@ -1,6 +1,7 @@
 """The checkers of the finished mesh: every bound is exact, and an invalid mesh fails them all."""
 
 from dataclasses import replace
+from math import log2
 
 import pytest
 from constructions import clauses_of, run
@@ -13,6 +14,7 @@ from exactmesh.steps.mesh_check import (
     check_design_degradation,
     check_paper_degradation,
     check_paper_feature,
+    check_proper_degradation,
     check_valid,
     check_vertex_count,
 )
@@ -63,11 +65,27 @@ def test_a_mesh_no_worse_than_its_input_holds():
     assert all(check(degraded(1)).holds for check in ON_MESH)
 
 
-@pytest.mark.parametrize("steiner, holds", [(0, True), (350, True), (351, False)])
-def test_35_vertices_a_corner_are_allowed(steiner, holds):
-    verdict = check_vertex_count(replace(GOOD, steiner=steiner), 10)
-    assert verdict.holds == holds and verdict.worst == mpq(steiner, 10)
-    assert verdict.witness.clause == "Steiner vertices <= 35 a corner"
+@pytest.mark.parametrize("kind, limit", [("nonproper", 35), ("proper", 51)])
+def test_so_many_vertices_a_corner_are_allowed(kind, limit):
+    for steiner, holds in ((0, True), (10 * limit, True), (10 * limit + 1, False)):
+        verdict = check_vertex_count(replace(GOOD, kind=kind, steiner=steiner), 10)
+        assert verdict.holds == holds and verdict.worst == mpq(steiner, 10)
+        assert verdict.witness.clause == f"Steiner vertices <= {limit} a corner"
+
+
+@pytest.mark.parametrize("corners, bound", [(2, "108/5"), (4, 27), (8, 36), (1024, 99)])
+def test_a_proper_mesh_pays_a_logarithm(corners, bound):
+    exact = mpq(bound) ** 2
+    assert check_proper_degradation(degraded(exact), corners).holds
+    verdict = check_proper_degradation(degraded(exact + TINY), corners)
+    assert not verdict.holds and verdict.witness.clause == "degradation <= max(21.6, 9 (1 + log2 n))"
+
+
+@pytest.mark.parametrize("corners", [3, 5, 6, 7, 100, 999, 10**6 + 1])
+def test_the_logarithm_is_rounded_down_and_by_little(corners):
+    bound = 9 * (1 + log2(corners))
+    assert check_proper_degradation(degraded(mpq(bound - 0.01) ** 2), corners).holds
+    assert not check_proper_degradation(degraded(mpq(bound + 0.0001) ** 2), corners).holds
 
 
 @pytest.mark.parametrize("check", ON_MESH)
@@ -87,6 +105,12 @@ def test_a_pair_of_vertices_is_named_as_such():
     assert verdict.witness.place == {"vertex": 3, "other": 8}
 
 
+@pytest.mark.parametrize("corners", [1, 10])
+def test_an_invalid_proper_mesh_has_no_degradation(corners):
+    assert check_proper_degradation(invalid(), corners).witness.clause == "the mesh is valid"
+
+
 def test_every_clause_is_tested_above():
-    assert clauses_of(mesh_check) == {"degradation < 45", "degradation <= 21.6", "mfs >= 0.022 mfs(P)",
-                                      "Steiner vertices <= 35 a corner", "the mesh is valid"}
+    assert clauses_of(mesh_check) == {
+        "degradation < 45", "degradation <= 21.6", "degradation <= max(21.6, 9 (1 + log2 n))",
+        "mfs >= 0.022 mfs(P)", "Steiner vertices <= {} a corner", "the mesh is valid"}

@@ -2,6 +2,7 @@
 
 from collections import Counter
 from fractions import Fraction
+from itertools import pairwise
 
 import families
 import oracle
@@ -167,7 +168,7 @@ def _between(n0, n1):
     inside.sort(key=lambda d: Fraction(-_dot(n0, d), -_cross(n0, d)))
     stops = [n0, *inside, n1]
     return [(a[0] * _size(b) + b[0] * _size(a), a[1] * _size(b) + b[1] * _size(a))
-            for a, b in zip(stops, stops[1:], strict=False)]
+            for a, b in pairwise(stops)]
 
 
 def _size(d):

@@ -16,7 +16,7 @@ from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.trapezoidation_check import check_clearance, check_tiling, check_touch
 
 G = Fraction(29, 125)
-NAMES = sorted(families.ALL_SMALL | families.SMALL_PSLGS) + ["hall"]
+NAMES = [*sorted(families.ALL_SMALL | families.SMALL_PSLGS), "hall"]
 
 
 def described(q, chords):

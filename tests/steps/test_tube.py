@@ -15,7 +15,7 @@ from exactmesh.steps.patch_check import check_tube_tiling, recorded_on_edges
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.tube import triangulate_tube
 
-NAMES = sorted(families.ALL_SMALL | families.SMALL_PSLGS) + ["hall"]
+NAMES = [*sorted(families.ALL_SMALL | families.SMALL_PSLGS), "hall"]
 BOX = [(0, 0), (10, 0), (10, 10), (0, 10)]
 
 
