@@ -60,8 +60,8 @@ def mesh(pslg: Pslg, construction: ConstructionName = "repaired", kind: MeshKind
     """Return a triangulation of the bounded faces of `pslg`, less holes.
 
     A nonproper one by the repaired construction has degradation at most 21.6, a proper one at most
-    max(21.6, 9 (1 + log2 n)) for n corners; "paper" is the published construction, for one simple polygon. Every step is
-    checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
+    max(21.6, 9 (1 + log2 n)) for n corners; "paper" is the published construction, for one simple polygon. Every step
+    is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
     `progress` is called with the name of each step. Raises `InputError` when `pslg` is none or encloses nothing.
     """
     return meshing_of(Run(pslg, construction, kind, progress=progress))

@@ -81,8 +81,8 @@ def verification_text(verification: Verification) -> str:
 def claims_text(judgements: Iterable[Judgement]) -> str:
     """Return a table of claims and verdicts for reading."""
     rows = [("claim", "bound", "worst", "instances", "")]
-    rows += [(j.claim.id, j.claim.bound, _decimal(j.claim, j.verdict), str(j.verdict.instances), "holds" if j.verdict.holds else "FAILS")
-             for j in judgements]
+    rows += [(j.claim.id, j.claim.bound, _decimal(j.claim, j.verdict), str(j.verdict.instances),
+              "holds" if j.verdict.holds else "FAILS") for j in judgements]
     return table(rows, right=(2, 3))
 
 

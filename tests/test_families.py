@@ -11,7 +11,7 @@ import pytest
 import shapely
 from gmpy2 import mpq
 
-from exactmesh.data import example_names, example_path
+from exactmesh.data import EXAMPLES
 from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point, cross, minus
 from exactmesh.planar.pslg import Pslg
@@ -217,7 +217,7 @@ def test_a_polygon_stays_in_cyclic_order_when_reversed_cut_or_started_elsewhere(
 
 def rings(name: str) -> list[list[tuple[mpq, mpq]]]:
     """Return the rings of an example without their repeated last point, as the decimals that are written."""
-    data = json.loads(example_path(name).read_text(encoding="utf-8"), parse_float=Decimal)
+    data = json.loads(EXAMPLES.path(name).read_text(encoding="utf-8"), parse_float=Decimal)
     found: list[list[tuple[mpq, mpq]]] = []
     for feature in data.get("features", [data]):
         assert "Natural Earth" in feature["properties"]["source"]
@@ -231,11 +231,11 @@ def rings(name: str) -> list[list[tuple[mpq, mpq]]]:
 
 
 def test_there_are_large_and_small_outlines() -> None:
-    sizes = {name: sum(map(len, rings(name))) for name in example_names() if name != "south-america"}
+    sizes = {name: sum(map(len, rings(name))) for name in EXAMPLES.names() if name != "south-america"}
     assert len(sizes) >= 6 and min(sizes.values()) < 200 and sum(size > 1000 for size in sizes.values()) >= 2
 
 
-@pytest.mark.parametrize("name", [name for name in example_names() if name != "south-america"])
+@pytest.mark.parametrize("name", [name for name in EXAMPLES.names() if name != "south-america"])
 def test_outlines_are_simple_polygons(name: str) -> None:
     (ring,) = rings(name)
     pslg = families.ring(ring, name)
@@ -259,4 +259,4 @@ def test_the_map_is_a_pslg_whose_countries_share_their_borders() -> None:
 
 def test_an_unknown_example_is_refused_with_the_names_there_are() -> None:
     with pytest.raises(InputError, match=r"no example 'atlantis'; there are: .*iceland"):
-        example_path("atlantis")
+        EXAMPLES.path("atlantis")

@@ -16,9 +16,10 @@ class Claim:
     """A statement with a permanent id; a withdrawn id is never used again.
 
     `paper` is the place it is from, or the name of the repaired construction. `bound` is for readers; the checker
-    decides. `runs` names the constructions, `kinds` the kinds of mesh in whose runs it is judged. A claim without a checker is one that no
-    single input can settle. `corrected` is the true statement in place of a false one, `repair` how the repaired
-    construction does without it, `witness` the file, among the package's witnesses, that is meant to refute it.
+    decides. `runs` names the constructions, `kinds` the kinds of mesh in whose runs it is judged. A claim without a
+    checker is one that no single input can settle. `corrected` is the true statement in place of a false one, `repair`
+    how the repaired construction does without it, `witness` the file, among the package's witnesses, that is meant to
+    refute it.
     """
 
     id: str

@@ -27,9 +27,10 @@ def _paper_degradation(run: Run) -> Verdict:
 RESULT_CLAIMS: tuple[Claim, ...] = (
     Claim("theorem-1.triangulation", "Theorem 1", "the mesh is a triangulation that leaves the boundary whole",
           ("P is a simple polygon",), "", "truth", _RUNS, _valid),
-    Claim("theorem-1.feature-size", "Theorem 1, phase 3", "the feature size of the mesh is at least 0.022 of the input's",
-          ("P is a simple polygon",), f">= {PAPER_FEATURE} mfs", "square", _RUNS, _paper_feature, _GAP, _REPAIR,
-          "l-shape-192", kinds=("nonproper",)),
+    Claim("theorem-1.feature-size", "Theorem 1, phase 3",
+          "the feature size of the mesh is at least 0.022 of the input's", ("P is a simple polygon",),
+          f">= {PAPER_FEATURE} mfs", "square", _RUNS, _paper_feature, _GAP, _REPAIR, "l-shape-192",
+          kinds=("nonproper",)),
     Claim("theorem-1.degradation", "Theorem 1", "the degradation is below 45",
           ("P is a simple polygon",), f"< {PAPER_DEGRADATION}", "square", _RUNS, _paper_degradation, _GAP, _REPAIR,
           "l-shape-192", kinds=("nonproper",)),

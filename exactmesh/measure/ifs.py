@@ -12,11 +12,12 @@ move towards it; the segment grows shorter until it arrives, or until something 
 The vertices look through the constrained Delaunay triangulation: from each corner of each triangle through the
 opposite side, while it is no input edge and no farther than the best pair so far. What is seen through a row of sides
 is a cone between two of their ends, and each turn is decided exactly. Distances are rounded only to leave out pairs
-and sides that are too far by more than their error (`SLACK`, see `exactmesh.measure.candidates`). The circles of the
-triangulation are empty, so few sides are looked through; the worst case is quadratic.
+and sides that are too far by more than their error (`SLACK`, see `exactmesh.measure.candidates`). Since the circles of
+the triangulation are empty, few sides are looked through, except near the ends of long edges; when it gets many, the
+edges are cut first (`exactmesh.planar.projection`), at points that are no vertices.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import hypot
 
 from gmpy2 import mpq
@@ -27,11 +28,16 @@ from exactmesh.geometry.point import Point, dot, minus
 from exactmesh.measure.candidates import SLACK
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared, face_witness
 from exactmesh.measure.mfs import Nearest
+from exactmesh.planar.cycles import Side
 from exactmesh.planar.delaunay import constrained_delaunay
 from exactmesh.planar.faces import Subdivision
 from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.projection import project
 from exactmesh.planar.pslg import Edge
 from exactmesh.planar.triangulation import Triangulation
+
+# Sides looked through, for each side of the triangulation, after which edges are cut first.
+_MANY = 2
 
 
 def internal_feature_size(subdivision: Subdivision) -> Nearest | None:
@@ -44,16 +50,22 @@ def internal_feature_size(subdivision: Subdivision) -> Nearest | None:
 
 
 def nearest_seen(points: Sequence[Point], triangulation: Triangulation) -> Nearest | None:
-    """Return `internal_feature_size` of the domain that is triangulated; None without triangles.
-
-    Any triangulation of the domain will do; its constrained sides are the edges.
-    """
+    """Return `internal_feature_size` of the domain with a given constrained Delaunay triangulation; None without
+    triangles. Any other triangulation gives the same answer, later."""
+    search = _Search(points, triangulation, len(points), {})
+    search.look_around()
+    if not search.look_farther(_MANY * len(triangulation.apex)):
+        cut = project(points, triangulation, 4 * search.reach)
+        again = _Search(cut.points, cut.triangulation, len(points), cut.edge_of)
+        again.found, again.reach = search.found, search.reach
+        again.look_around()
+        again.look_farther(None)
+        search = again
     best: tuple[mpq, bool, Edge, int] | None = None
-    for vertex, (a, b) in _Search(points, triangulation).run():
+    for vertex, feature in search.nearest():
+        a, b = feature
         if a == b:
             a, b, vertex = min(a, vertex), min(a, vertex), max(a, vertex)
-        elif not _is_beside(points[vertex], points[a], points[b]):
-            continue  # The end is seen as well.
         squared = segment_distance_squared(points[vertex], points[a], points[b])
         key = (squared, a == b, (min(a, b), max(a, b)), vertex)
         if best is None or key < best:
@@ -78,46 +90,67 @@ def mesh_ifs(mesh: Mesh) -> Nearest | None:
     return None if least is None else face_witness(mesh.vertices, mesh.faces[least[1]])
 
 
-def _is_beside(p: Point, a: Point, b: Point) -> bool:
-    """Return whether the perpendicular from p to the line a b arrives strictly between a and b."""
-    along = minus(b, a)
-    return bool(dot(minus(p, a), along) > 0 > dot(minus(p, b), along))
-
-
 class _Search:
-    """`reach` is an upper bound of the ifs, up to rounding; `found` holds pairs with their rounded distances."""
+    """Vertices from `given` on lie on edges: `edge_of` has the whole edges of which constrained sides are parts.
 
-    def __init__(self, points: Sequence[Point], triangulation: Triangulation) -> None:
-        self.points = points
+    `reach` is an upper bound of the ifs, up to rounding; `found` holds rounded distances, vertices, and features of
+    which they see the nearest point: edges, vertices twice over.
+    """
+
+    def __init__(self, points: Sequence[Point], triangulation: Triangulation, given: int, edge_of: Mapping[Side, Edge]
+                 ) -> None:
+        self.points, self.given, self.edge_of = points, given, edge_of
         self.apex, self.constrained = triangulation.apex, triangulation.constrained
         self.orientation = FilteredPoints(points).orientation
         self.x, self.y, _ = unit_floats(points)
         self.reach = float("inf")
         self.found: list[tuple[float, int, Edge]] = []
 
-    def run(self) -> Iterator[tuple[int, Edge]]:
-        """Return pairs of a vertex and a feature that it sees, among them all pairs at the least distance."""
-        within: list[tuple[float, int, Edge]] = []
+    def look_around(self) -> None:
+        """Take into account what each vertex sees in the triangles at it."""
         for (a, b), v in self.apex.items():
-            self._meet(v, (a, a))
-            distance = self._distance(v, a, b)
-            if (a, b) in self.constrained:
-                self._keep(distance, v, (a, b))
-            else:
-                within.append((distance, v, (a, b)))
-        for distance, v, (a, b) in within:
-            if distance <= self.reach + 2 * SLACK:
-                self._look_through(v, a, b)
+            if v < self.given:
+                self._meet(v, a)
+                if (a, b) in self.constrained:
+                    self._meet_side(v, a, b, self._distance(v, a, b))
+
+    def look_farther(self, limit: int | None) -> bool:
+        """Take into account what vertices see through sides; return whether `limit` steps suffice."""
+        near = [(v, a, b) for (a, b), v in self.apex.items() if v < self.given and (a, b) not in self.constrained
+                and self._distance(v, a, b) <= self.reach + 2 * SLACK]
+        steps = 0
+        for v, a, b in near:
+            steps += self._look_through(v, a, b)
+            if limit is not None and steps > limit:
+                return False
+        return True
+
+    def nearest(self) -> Iterator[tuple[int, Edge]]:
+        """Return pairs of a vertex and a feature, among them all pairs at the least distance."""
         return ((v, feature) for distance, v, feature in self.found if distance <= self.reach + 2 * SLACK)
 
-    def _meet(self, v: int, feature: Edge) -> None:
-        """Take a pair into account."""
-        self._keep(self._distance(v, *feature), v, feature)
+    def _meet(self, v: int, w: int) -> None:
+        """Take into account that v sees the vertex w."""
+        if w < self.given:
+            self._keep(self._distance(v, w, w), v, (w, w))
+
+    def _meet_side(self, v: int, a: int, b: int, distance: float) -> None:
+        """Take into account that v sees the foot on the constrained side a b, if it lies there."""
+        edge = self.edge_of.get((a, b), (a, b))
+        if distance <= self.reach + 2 * SLACK and self._is_beside(v, a, b, closed=True) and self._is_beside(v, *edge):
+            self._keep(distance, v, edge)
 
     def _keep(self, distance: float, v: int, feature: Edge) -> None:
         if distance <= self.reach + 2 * SLACK:
             self.found.append((distance, v, feature))
             self.reach = min(self.reach, distance)
+
+    def _is_beside(self, v: int, a: int, b: int, closed: bool = False) -> bool:
+        """Return whether the foot of v on the line a b lies between a and b."""
+        p, q, r = self.points[v], self.points[a], self.points[b]
+        along = minus(r, q)
+        before, after = dot(minus(p, q), along), dot(minus(p, r), along)
+        return bool(before >= 0 >= after if closed else before > 0 > after)
 
     def _distance(self, v: int, a: int, b: int) -> float:
         """Return the distance of v from the segment a b, off by at most SLACK."""
@@ -128,24 +161,28 @@ class _Search:
         t = min(max((px * dx + py * dy) / length_squared, 0.0), 1.0) if length_squared > 0 else 0.0
         return hypot(px - t * dx, py - t * dy)
 
-    def _look_through(self, v: int, a: int, b: int) -> None:
-        """Take into account what v sees beyond the side a b, no input edge, of a triangle v a b."""
+    def _look_through(self, v: int, a: int, b: int) -> int:
+        """Take into account what v sees beyond the side a b, no input edge, of a triangle v a b; count the steps."""
         orientation = self.orientation
+        steps = 0
         # Sides to look through, each with the vertices that bound the cone on the right and on the left.
         pending = [(a, b, a, b)]
         while pending:
+            steps += 1
             a, b, right, left = pending.pop()
             c = self.apex[b, a]
             is_left_of_right, is_right_of_left = orientation(v, right, c) > 0, orientation(v, left, c) < 0
-            if is_left_of_right and is_right_of_left:
-                self._meet(v, (c, c))
             # On the boundary of the cone c is hidden by the vertex that bounds it.
+            if is_left_of_right and is_right_of_left:
+                self._meet(v, c)
             if is_left_of_right:
-                self._side(v, a, c, right, c if is_right_of_left else left, pending)
+                self._look_at(v, a, c, right, c if is_right_of_left else left, pending)
             if is_right_of_left:
-                self._side(v, c, b, c if is_left_of_right else right, left, pending)
+                self._look_at(v, c, b, c if is_left_of_right else right, left, pending)
+        return steps
 
-    def _side(self, v: int, a: int, b: int, right: int, left: int, pending: list[tuple[int, int, int, int]]) -> None:
+    def _look_at(self, v: int, a: int, b: int, right: int, left: int, pending: list[tuple[int, int, int, int]]
+                 ) -> None:
         """Look at the side a b, of which v sees what lies between its directions to `right` and `left`."""
         distance = self._distance(v, a, b)
         if distance > self.reach + 2 * SLACK:
@@ -153,7 +190,7 @@ class _Search:
         if (a, b) not in self.constrained:
             pending.append((a, b, right, left))
         elif self._sees_foot(v, a, b, right, left):
-            self._keep(distance, v, (a, b))
+            self._meet_side(v, a, b, distance)
 
     def _sees_foot(self, v: int, a: int, b: int, right: int, left: int) -> bool:
         """Return whether the perpendicular from v to the line a b, which v has on its left, lies in the cone."""

@@ -1,7 +1,7 @@
 """Triangulate all faces of the domain by one sweep, exactly, without Steiner points.
 
 The sweep is Hertel and Mehlhorn's ("Fast triangulation of the plane with respect to simple polygons", 1985), for any
-planar straight-line graph: vertices in lexicographic order, active edges in vertical order. What lies between two
+planar straight-line graph: vertices in lexicographic order, active edges from below. What lies between two
 neighbouring active edges and left of the sweep line is triangulated as far as a chain of vertices that leads from the
 left end of the lower edge to that of the upper one. Invariant: at each inner vertex of the chain, what is not yet
 triangulated has an angle of at least 180 degrees. A chain may pass a vertex twice, around an edge or a diagonal with a
@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from functools import cmp_to_key
 
 from exactmesh.geometry.filtered import FilteredPoints
+from exactmesh.geometry.point import Point
 from exactmesh.planar.cycles import Side
 from exactmesh.planar.faces import Subdivision
 
@@ -47,13 +48,16 @@ def triangles_from(apex: Mapping[Side, int]) -> tuple[Triangle, ...]:
     return tuple(sorted((u, v, w) for (u, v), w in apex.items() if u < v and u < w))
 
 
-def triangulate(subdivision: Subdivision) -> Triangulation:
-    """Return a triangulation of the domain whose vertices are all vertices on it and in it, and no others."""
+def triangulate(subdivision: Subdivision, along: tuple[int, int] = (1, 0)) -> Triangulation:
+    """Return a triangulation of the domain whose vertices are all vertices on it and in it, and no others.
+
+    The sweep runs in the direction `along`, which is not (0, 0); each direction gives a triangulation of its own.
+    """
     half_edges = subdivision.half_edges
-    along = [h for face in subdivision.domain for walk in face.walks for h in walk]
-    sides = {(half_edges.origin[h], half_edges.target(h)) for h in along}
+    sides = {(half_edges.origin[h], half_edges.target(h))
+             for face in subdivision.domain for walk in face.walks for h in walk}
     constrained = frozenset(sides | {(v, u) for u, v in sides})
-    return triangulation_of(_Sweep(subdivision, sides).run(), constrained)
+    return triangulation_of(_Sweep(subdivision, sides, along).run(), constrained)
 
 
 class _Sweep:
@@ -63,9 +67,12 @@ class _Sweep:
     status, when `inside[e]`, the chain is `chain[e]`: its lowest, its highest and its rightmost node.
     """
 
-    def __init__(self, subdivision: Subdivision, domain_on_left: set[Side]) -> None:
+    def __init__(self, subdivision: Subdivision, domain_on_left: set[Side], along: tuple[int, int]) -> None:
         pslg = subdivision.pslg
-        points = self.points = pslg.vertices
+        x, y = along
+        # Turned and scaled so that `along` points to the right; orientations stay.
+        points = self.points = pslg.vertices if along == (1, 0) else tuple(
+            Point(x * p.x + y * p.y, x * p.y - y * p.x) for p in pslg.vertices)
         self.orientation = FilteredPoints(points).orientation
         ends = [(u, v) if points[u] < points[v] else (v, u) for u, v in pslg.edges]
         self.left, self.right = [u for u, _ in ends], [v for _, v in ends]

@@ -34,7 +34,7 @@ PAPER_DEGRADATION = mpq(45)
 PAPER_FEATURE = mpq(22, 1000)
 VERTICES_PER_CORNER = 35
 
-# A proper mesh keeps max(21.6, 9 (1 + log2 n)), and has at most one vertex more for each gap of a layered piece, of
+# A proper mesh keeps max(21.6, 9 (1 + log2 n)), and has about one vertex more for each gap of a layered piece, of
 # which there are at most 16 a corner.
 PROPER_FACTOR = mpq(9)
 PROPER_VERTICES_PER_CORNER = VERTICES_PER_CORNER + 16

@@ -16,7 +16,7 @@ from itertools import groupby
 
 from exactmesh.geometry.point import Point
 from exactmesh.steps.patch_builder import PatchBuilder
-from exactmesh.steps.records import Offset, Patch, Trapezoid, Trapezoidation
+from exactmesh.steps.records import Offset, Patch, Trapezoidation
 from exactmesh.steps.wedges import BOTTOM, FLIPS, LEFT, RIGHT, TOP, Leftover
 
 

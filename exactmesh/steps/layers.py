@@ -2,7 +2,7 @@
 
 Each gap [u_j, u_j+1] between the fans of the anchors gets one apex in the lowest row; each row has one vertex for
 every two of the row below, until one is left. Rows are evenly spaced below the clean side. No face has a T-vertex, and
-there are fewer than 2 N new vertices for N gaps.
+there are at most 2 N + log2 N new vertices for N gaps (a row of odd length rounds up).
 """
 
 from collections.abc import Iterator

@@ -137,14 +137,9 @@ def check_fan(tube: PaperTube, points: Sequence[Point]) -> Verdict:
     for box in boxes(tube, points):
         anchor = box.record.b_below
         for face in box.faces:
-            corners = corners_of(points, face)
-            if anchor not in face or isinstance(corners, NotTriangle):
-                continue
-            turned = face[face.index(anchor) :] + face[: face.index(anchor)]
-            _, end, other = sorted(turned.index(face[i]) for i in corners)
-            least = min(segment_distance_squared(points[v], points[anchor], points[turned[other]])
-                        for v in turned[1 : end + 1])
-            tally.see(least / box.f1_squared(), rectangle=box.number, face=list(face))
+            if anchor in face:
+                squared = _first_side_from_second(face, anchor, points)
+                tally.see(squared / box.f1_squared(), rectangle=box.number, face=list(face))
     return tally.verdict()
 
 
@@ -206,6 +201,17 @@ def check_proper(tube: PaperTube) -> Verdict:
 def rows(record: Rectangle) -> int:
     """Return 1 + floor(log2 n) for the n vertices inside the side."""
     return (len(record.side) - 2).bit_length()
+
+
+def _first_side_from_second(face: Cycle, anchor: int, points: Sequence[Point]) -> mpq:
+    """Return the least squared distance of the vertices on the side of `face` that starts at the corner `anchor` from
+    the side that ends there; zero for what is no triangle."""
+    corners = corners_of(points, face)
+    if isinstance(corners, NotTriangle):
+        return mpq(0)
+    turned = face[face.index(anchor) :] + face[: face.index(anchor)]
+    _, end, other = sorted(turned.index(face[i]) for i in corners)
+    return min(segment_distance_squared(points[v], points[anchor], points[turned[other]]) for v in turned[1 : end + 1])
 
 
 def _check_faces(tube: PaperTube, points: Sequence[Point], tally: Tally, unit: Callable[[Box], mpq],

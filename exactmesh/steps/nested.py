@@ -9,6 +9,7 @@ A candidate is measured over all its faces; long ones carry T-vertices, listed i
 """
 
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 from gmpy2 import mpq
@@ -120,10 +121,10 @@ def _faces(frame: Frame, layout: _Layout, left_groups: list[int], right_groups: 
     # Groups as runs of apexes, from z outwards; the first of a run is the leader.
     left = _runs([-1 - (z - i) for i in range(len(left_groups))], left_groups)
     right = _runs([-1 - (z + i) for i in range(len(right_groups))], right_groups)
-    for nearer, further in zip(left, left[1:], strict=False):
+    for nearer, further in pairwise(left):
         # The side from A to the leader of the further group carries the other members of that group.
         faces.append(((a, *reversed(further[1:]), further[0], nearer[-1]), (len(further) - 1, 0, 0)))
-    for nearer, further in zip(right, right[1:], strict=False):
+    for nearer, further in pairwise(right):
         faces.append(((further[0], *further[1:], b, nearer[-1]), (len(further) - 1, 0, 0)))
     faces.append(((a, *reversed(left[0][1:]), -1 - z, *right[0][1:], b), (len(left[0]) - 1, len(right[0]) - 1, 0)))
     return faces

@@ -18,6 +18,7 @@ from exactmesh.numbers.algebraic import Real
 from exactmesh.steps.constants import LEVEL
 
 Cycle = tuple[int, ...]
+_HALF = mpq(1, 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +59,7 @@ class Offset:
     rings: tuple[tuple[int, int], ...]
     points: tuple[Point, ...]
     spacing: mpq = LEVEL
-    shift: mpq = mpq(1, 2)
+    shift: mpq = _HALF
 
     def height(self, level: int) -> mpq:
         """Return the ordinate of a level."""

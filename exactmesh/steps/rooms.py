@@ -16,7 +16,8 @@ from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Offset, Trapezoid, Trapezoidation
 
 TOP, BOTTOM = 1, -1
-# What lies along a piece of a chain: an edge of Q by its number, the chord of a level, or the step k k' of a trimmed one.
+# What lies along a piece of a chain: an edge of Q by its number, the chord of a level, or the step k k' of a trimmed
+# one.
 CHORD, STEP = -1, -2
 
 

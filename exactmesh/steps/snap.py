@@ -56,8 +56,8 @@ def snap(shape: Shape, curve: OffsetCurve, spacing: mpq, ties: Ties = "up") -> O
 
 def _line(height: Real, ties: Ties) -> int:
     if ties == "up":
-        return int(floor(height + _HALF))
-    return -int(floor(_HALF - height))
+        return int(floor(height + _HALF))  # noqa: RUF046 (the floor of an mpq is an mpz)
+    return -int(floor(_HALF - height))  # noqa: RUF046
 
 
 def _dyadic_step(mfs_squared: mpq) -> mpq:

@@ -54,7 +54,7 @@ def triangulate_tube_in_columns(shape: Shape, offset: Offset, on_edge: Sequence[
 
 
 def _foot(mesh: PatchBuilder, p: int, q: int, v: int) -> int:
-    """Return the foot of the perpendicular from v on the edge p q; an end of the edge when that is near or before it."""
+    """Return the foot of the perpendicular from v on the edge p q; an end of the edge when that is near or before."""
     start, end, place = mesh.points[p], mesh.points[q], mesh.points[v]
     along = minus(end, start)
     length_squared = dot(along, along)

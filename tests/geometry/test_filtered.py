@@ -86,11 +86,13 @@ def test_huge_offsets_and_scales_do_not_send_plain_triples_to_the_exact_path(off
 
 
 def test_collinear_points_that_floats_see_beside_their_line_are_decided_exactly() -> None:
+    # The frame makes the scale 1, so that coordinates near the frame are rounded as coarsely as any.
+    frame = [Point(mpq(sign * 511, 512), mpq(sign * 511, 512)) for sign in (-1, 1)]
     source = random.Random(1)
-    for _ in range(2000):
-        a, b, c, d = (mpq(source.randint(-999, 999), 1000) for _ in range(4))
-        points = [Point(a + t * c, b + t * d) for t in (mpq(source.randint(-99, 99), 97) for _ in range(3))]
-        assert decided([*points, Point(mpq(-2), mpq(-2)), Point(mpq(2), mpq(2))]) == (0, True)
+    for _ in range(3000):
+        a, b = (mpq(source.randint(700, 997) * source.choice((1, -1)), 1000) for _ in range(2))
+        points = [Point(a * t, b * t) for t in (mpq(source.randint(-997, 997), 999) for _ in range(3))]
+        assert decided([*points, *frame]) == (0, True)
 
 
 def test_a_cluster_below_the_resolution_of_floats_is_decided_exactly() -> None:

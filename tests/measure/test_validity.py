@@ -167,7 +167,7 @@ def test_degradation_of_internal_meshes_counts_the_whole_mesh() -> None:
 def test_the_nearest_pair_may_lie_outside_the_domain() -> None:
     # Two isolated vertices; an edge beside the corner (0, 0), which a mesh of the inside does not see.
     pair = case([*SQUARE, (6, 1), (6, "9/8")], cycle(4), [], CLASSIC.mesh.faces, "classic")
-    beside = [*SQUARE, ("-1/9", -1), ("-1/9", 2)]
+    beside = [*SQUARE, ("-1/9", -1), ("-1/9", 5)]
     for given, squared in [(pair, Fraction(1, 64)),
                            (case(beside, [*cycle(4), (4, 5)], [], CLASSIC.mesh.faces, "classic"), Fraction(1, 81)),
                            (case(beside, [*cycle(4), (4, 5)], [(2, 0)],

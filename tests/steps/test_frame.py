@@ -47,6 +47,11 @@ def test_the_area_decides_the_side_and_not_one_anchor():
     assert not frame.mirrored and frame.a.y < 0 < frame.b.y
 
 
+def test_a_quadrilateral_without_area_is_not_mirrored():
+    assert not frame_of([point(0, 0), point(9, 0)], point(1, 0), point(5, 0)).mirrored
+    assert not frame_of([point(0, 0), point(9, 0)], point(9, 2), point(0, 2)).mirrored
+
+
 @laws
 @given(frames())
 def test_lengths_are_scaled_by_the_length_of_the_t_side(given_frame):

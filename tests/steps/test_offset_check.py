@@ -96,6 +96,12 @@ def all_outside(q):
     return rebuilt(q, [[(x - 100, level, c, s) for x, level, c, s in ring] for ring in rings_of(q)])
 
 
+def inside_the_hole(q):
+    """Move the ring around the hole to a small place inside it: it still crosses nothing."""
+    outer, ring, *others = rings_of(q)
+    return rebuilt(q, [outer, [(5 + (x - 5) / 4, 21 + (level - 21) // 4, c, s) for x, level, c, s in ring], *others])
+
+
 def crossed(q):
     """Exchange the places of two neighbours, so that the ring crosses itself."""
     first, *others = rings_of(q)
@@ -153,7 +159,8 @@ HARMS = [
     (L_SHAPE, lambda q: replace(q, level=(q.level[0] + 1, *q.level[1:])), ON_LEVELS),
     (L_SHAPE, reversed_rings, TURNS), (HOLED, reversed_rings, TURNS), (HOLED, swapped(0, 1), TURNS),
     (L_SHAPE, pushed_out, SIMPLE), (L_SHAPE, crossed, SIMPLE), (HOLED, swapped(2, 3), SIMPLE),
-    (HALL, swapped(1, 2), SIMPLE), (L_SHAPE, all_outside, IN_FACE), (TWO_ROOMS, swapped(0, 1), IN_FACE),
+    (HALL, swapped(1, 2), SIMPLE), (L_SHAPE, all_outside, IN_FACE), (HOLED, inside_the_hole, IN_FACE),
+    (TWO_ROOMS, swapped(0, 1), IN_FACE),
     (TWO_ROOMS, repeated(1, 0), ONE_WALK), (HALL, repeated(4, 3), ONE_WALK), (HOLED, mixed_labels, ONE_WALK),
     (TWO_ROOMS, without(0), ALL_WALKS), (HOLED, without(1), ALL_WALKS), (HOLED, without(3), ALL_WALKS),
 ]

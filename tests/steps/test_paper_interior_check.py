@@ -1,0 +1,97 @@
+"""The checker of P6: it refuses harmed triangulations by the clause, and its values agree with brute force."""
+
+from dataclasses import replace
+
+import families
+import oracle
+import pytest
+from constructions import clauses_of, face_feature_squared
+from gmpy2 import mpq
+
+from exactmesh.claims.run import Run
+from exactmesh.geometry.point import Point
+from exactmesh.planar.cycles import sides
+from exactmesh.steps import paper_interior_check
+from exactmesh.steps.paper_interior_check import boundary, check_degradation, check_feature, check_tiling
+
+MADE = Run(families.l_shape(5), "paper").paper
+INSIDE, CHORDS = MADE.interior, MADE.trapezoidation
+
+
+def faces(change):
+    return replace(INSIDE, faces=change(INSIDE.faces))
+
+
+def moved(vertex, point):
+    return (*MADE.points[:vertex], point, *MADE.points[vertex + 1 :])
+
+
+def test_a_good_result_passes():
+    assert check_tiling(MADE.p4, CHORDS, INSIDE, MADE.points).holds
+    assert check_degradation(MADE.p4, CHORDS, INSIDE, MADE.points).instances == len(INSIDE.faces)
+
+
+NEW = INSIDE.first
+HARMS = [
+    (faces(lambda old: old[1:]), MADE.points, "the faces' boundaries add up to the region's"),
+    (faces(lambda old: (*old, old[0])), MADE.points, "faces do not overlap"),
+    (faces(lambda old: (old[0][::-1], *old[1:])), MADE.points, "faces are triangles"),
+    (faces(lambda old: tuple(face for face in old if NEW not in face)), MADE.points,
+     "one vertex in each trapezoid, none in a triangle"),
+    (faces(lambda old: tuple(tuple(NEW + 1 if v == NEW else v for v in face) if n == 0 else face
+                             for n, face in enumerate(old))), MADE.points,
+     "one vertex in each trapezoid, none in a triangle"),
+    (replace(INSIDE, points=(*INSIDE.points, Point(mpq(0), mpq(0)))), MADE.points, "every new vertex is in one trapezoid"),
+    (INSIDE, moved(NEW, Point(mpq(-1), mpq(-1))), "faces are triangles"),
+]
+
+
+@pytest.mark.parametrize("interior, points, clause", HARMS)
+def test_a_harmed_tiling_is_refused(interior, points, clause):
+    verdict = check_tiling(MADE.p4, CHORDS, interior, points)
+    assert not verdict.holds and verdict.witness.clause == clause
+
+
+def near(vertex, other):
+    """Return the points with one vertex put next to another."""
+    p, q = MADE.points[vertex], MADE.points[other]
+    return moved(vertex, Point(q.x + (p.x - q.x) / 10**6, q.y + (p.y - q.y) / 10**6))
+
+
+def test_a_vertex_out_of_place_is_refused():
+    points = near(NEW, INSIDE.faces[0][0])
+    degradation = check_degradation(MADE.p4, CHORDS, INSIDE, points)
+    assert not degradation.holds and degradation.witness.clause == "half of mfs(P5) is left"
+    feature = check_feature(CHORDS, INSIDE, points, MADE.p4.spacing, MADE.mfs_squared)
+    assert not feature.holds and feature.witness.clause == "feature size >= 1/(4 d3)"
+
+
+def test_a_face_that_is_no_triangle_counts_as_zero():
+    interior = faces(lambda old: (old[0][::-1], *old[1:]))
+    assert check_feature(CHORDS, interior, MADE.points, MADE.p4.spacing, MADE.mfs_squared).worst == 0
+
+
+def test_every_clause_is_seen():
+    own = {clause for _, _, clause in HARMS} | {"half of mfs(P5) is left", "feature size >= 1/(4 d3)"}
+    assert own >= clauses_of(paper_interior_check)
+
+
+@pytest.mark.parametrize("name", ["pentagon", "spike room", "l-shape 44", "growth 9", "star 9", "reflex notch 1e-2"])
+def test_values_agree_with_brute_force(name):
+    made = Run(families.ALL_SMALL[name], "paper").paper
+    features = {face: face_feature_squared(made.points, face) for face in made.interior.faces}
+    edges = {side for z in made.trapezoidation.trapezoids for side in sides(boundary(z))}
+    used = sorted({v for side in edges for v in side})
+    place = {v: i for i, v in enumerate(used)}
+    p5 = oracle.mfs_squared([made.points[v] for v in used], [(place[u], place[v]) for u, v in edges])
+    verdict = check_degradation(made.p4, made.trapezoidation, made.interior, made.points)
+    assert verdict.worst == min(features.values()) / p5
+    whole = check_feature(made.trapezoidation, made.interior, made.points, made.p4.spacing, made.mfs_squared)
+    assert whole.worst == min(features.values()) / oracle.exact(made.mfs_squared)
+
+
+def test_trapezoids_with_t_vertices_are_left_out_on_demand():
+    made = Run(families.spike_room(100), "paper").paper
+    args = (made.trapezoidation, made.interior, made.points, made.p4.spacing, made.mfs_squared)
+    whole, clean = check_feature(*args), check_feature(*args, clean_only=True)
+    assert not whole.holds and clean.holds and 0 < clean.instances < whole.instances
