@@ -7,7 +7,7 @@
 (True, True)
 """
 
-from exactmesh.api import Meshing, mesh, mfs, read, verify
+from exactmesh.api import Meshing, ifs, mesh, mfs, read, verify
 from exactmesh.errors import ConstructionFailed, FormatError, GeometryError, InputError
 from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest
@@ -20,5 +20,5 @@ __version__ = "0.1.0"
 
 __all__ = [
     "ConstructionFailed", "FormatError", "GeometryError", "InputError", "Mesh", "Meshing", "Nearest", "Point", "Pslg",
-    "Verdict", "Verification", "Violation", "Witness", "__version__", "mesh", "mfs", "polygon", "read", "verify",
+    "Verdict", "Verification", "Violation", "Witness", "__version__", "ifs", "mesh", "mfs", "polygon", "read", "verify",
 ]

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 
 from exactmesh.claims.claim import Judgement
 from exactmesh.claims.ledger import judge
-from exactmesh.claims.run import ConstructionName, MeshKind, Run
+from exactmesh.claims.run import ConstructionName, Run
 from exactmesh.io.read import read_pslg
+from exactmesh.measure.ifs import internal_feature_size
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
 from exactmesh.planar.faces import domain_of, subdivide
-from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.mesh import Kind, Mesh
 from exactmesh.planar.pslg import Pslg
 
 Progress = Callable[[str], None]
@@ -55,14 +56,23 @@ def mfs(pslg: Pslg) -> Nearest | None:
     return minimum_feature_size(pslg)
 
 
-def mesh(pslg: Pslg, construction: ConstructionName = "repaired", kind: MeshKind = "nonproper",
+def ifs(pslg: Pslg) -> Nearest | None:
+    """Return the squared internal feature size of the domain of `pslg`, exactly, with its witness.
+
+    It counts distances inside the faces only. None without a domain. Raises `InputError` as `mfs` does.
+    """
+    return internal_feature_size(subdivide(pslg))
+
+
+def mesh(pslg: Pslg, construction: ConstructionName = "repaired", kind: Kind = "nonproper",
          progress: Progress = _silent) -> Meshing:
     """Return a triangulation of the bounded faces of `pslg`, less holes.
 
     A nonproper one by the repaired construction has degradation at most 21.6, a proper one at most
     max(21.6, 9 (1 + log2 n)) for n corners; "paper" is the published construction, for one simple polygon. Every step
     is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
-    `progress` is called with the name of each step. Raises `InputError` when `pslg` is none or encloses nothing.
+    `progress` is called with the name of each step. Raises `InputError` when `pslg` is none, encloses nothing, or is
+    not for the construction.
     """
     return meshing_of(Run(pslg, construction, kind, progress=progress))
 

@@ -11,24 +11,26 @@ import json
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 
 import exactmesh
 from exactmesh import report
-from exactmesh.api import meshing_of, mfs, verify
+from exactmesh.api import ifs, meshing_of, mfs, verify
 from exactmesh.claims.bounds import bounds
 from exactmesh.claims.ledger import CLAIMS, claim_by_id, judge_one
-from exactmesh.claims.run import ConstructionName, MeshKind, Run
+from exactmesh.claims.run import ConstructionName, Run
 from exactmesh.claims.status import ledger
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.data import EXAMPLES
 from exactmesh.errors import ConstructionFailed, InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.io.mesh_json import json_from_mesh
-from exactmesh.io.read import read_mesh, read_pslg
+from exactmesh.io.read import Source, read_mesh, read_pslg
 from exactmesh.io.svg import svg_from_mesh
 from exactmesh.numbers.rational import decimal_text, rational_from_text
 from exactmesh.paper import PAPER_CHOICES, paper_options
-from exactmesh.planar.pslg import Pslg
+from exactmesh.planar.bounding_box import with_bounding_box
+from exactmesh.planar.mesh import KINDS
 from exactmesh.progress import Progress
 from exactmesh.report_ledger import bounds_json, bounds_text, entry_text, ledger_json, ledger_text
 
@@ -75,24 +77,30 @@ def _abandon_output() -> None:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="exactmesh", description="Triangulate polygons and planar straight-line graphs with exact numbers so that "
-        "the minimum feature size (mfs) is kept up to a proven constant, and check every step.",
+        "the minimum feature size (mfs) is kept up to a constant factor, and check every step.",
         epilog="Exit status: 0 all that was asked for holds, 1 a claim fails, 2 usage or input refused, 130 "
         "interrupted. A FILE is exactmesh-pslg/1, GeoJSON, WKT or Triangle's .poly; - is standard input.")
     parser.add_argument("--version", action="version", version=f"exactmesh {exactmesh.__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
-    command = commands.add_parser("mfs", help="the exact minimum feature size of a PSLG, with its witness")
-    command.add_argument("file", metavar="FILE")
-    command.add_argument("--json", action="store_true", help="print one JSON object")
-    _add_quiet(command)
-    command.set_defaults(run=_mfs)
+    for name, what in (("mfs", "minimum"), ("ifs", "internal")):
+        command = commands.add_parser(name, help=f"the exact {what} feature size of a PSLG, with its witness")
+        command.add_argument("file", metavar="FILE")
+        _add_box(command)
+        command.add_argument("--json", action="store_true", help="print one JSON object")
+        _add_quiet(command)
+        command.set_defaults(run=_size, name=name)
 
     command = commands.add_parser("mesh", help="triangulate a PSLG, checking every step and the result")
     command.add_argument("file", metavar="FILE")
     command.add_argument("-o", "--output", metavar="OUT", help="write the mesh (exactmesh-mesh/1)")
-    command.add_argument("--kind", choices=("nonproper", "proper"), default="nonproper",
-                         help="whether vertices may lie on sides of triangles (default: nonproper)")
-    _add_construction(command, default="repaired")
+    command.add_argument("--kind", choices=KINDS, default="nonproper",
+                         help="nonproper (default): vertices may lie on sides of triangles; proper: they may not; "
+                         "internal: proper, with vertices on the boundary, keeps the internal feature size; "
+                         "classic: no new vertices, no promise")
+    command.add_argument("--optimal", action="store_true", help="the best classic mesh of one simple polygon")
+    _add_construction(command, default=None)
+    _add_box(command)
     command.add_argument("--report", metavar="R", help="write what was checked (exactmesh-report/1)")
     command.add_argument("--svg", metavar="S", help="write a picture")
     _add_quiet(command)
@@ -102,6 +110,7 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("pslg", metavar="PSLG")
     command.add_argument("mesh", metavar="MESH", help="exactmesh-mesh/1")
     command.add_argument("--json", action="store_true", help="print one JSON object")
+    _add_box(command)
     command.add_argument("--max-degradation", metavar="D", help="also demand that the degradation is at most D")
     _add_quiet(command)
     command.set_defaults(run=_verify)
@@ -140,6 +149,20 @@ def _add_construction(command: argparse.ArgumentParser, default: str | None) -> 
                              f"{name}={'|'.join(values)}" for name, values in PAPER_CHOICES.items()))
 
 
+def _add_box(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--bounding-box", metavar="MARGIN",
+                         help="put the input into an upright rectangle this far away on every side, so that its outside "
+                         "is part of the domain")
+
+
+def _read(args: argparse.Namespace, path: str) -> Source:
+    """Return the PSLG in a file, within a box where one is asked for."""
+    source = read_pslg(path)
+    if args.bounding_box is None:
+        return source
+    return replace(source, pslg=with_bounding_box(source.pslg, rational_from_text(args.bounding_box, "--bounding-box")))
+
+
 def _paper_option(text: str) -> tuple[str, str]:
     name, _, value = text.partition("=")
     if value not in PAPER_CHOICES.get(name, ()):
@@ -147,18 +170,13 @@ def _paper_option(text: str) -> tuple[str, str]:
     return name, value
 
 
-def _run(args: argparse.Namespace, pslg: Pslg, construction: ConstructionName, kind: MeshKind, progress: Progress
-         ) -> Run:
-    return Run(pslg, construction, kind, paper_options(dict(args.paper)), progress)
-
-
-def _mfs(args: argparse.Namespace) -> int:
+def _size(args: argparse.Namespace) -> int:
     with Progress(args.quiet) as progress:
         progress("reading")
-        pslg = read_pslg(args.file).pslg
-        progress("mfs")
-        nearest = mfs(pslg)
-    print(report.mfs_json(nearest) if args.json else report.mfs_text(nearest))
+        pslg = _read(args, args.file).pslg
+        progress(args.name)
+        nearest = mfs(pslg) if args.name == "mfs" else ifs(pslg)
+    print(report.size_json(args.name, nearest) if args.json else report.size_text(args.name, nearest))
     return HOLDS
 
 
@@ -166,17 +184,21 @@ def _mesh(args: argparse.Namespace) -> int:
     outputs = [path for path in (args.output, args.report, args.svg) if path]
     if len(set(outputs)) < len(outputs):
         raise InputError("two results cannot go to one place: give each its own file")
+    if args.optimal and args.kind != "classic":
+        raise InputError("--optimal is for --kind classic")
+    construction: ConstructionName = args.construction or ("classic" if args.kind == "classic" else "repaired")
     with Progress(args.quiet) as progress:
         progress("reading")
-        source = read_pslg(args.file)
-        result = meshing_of(_run(args, source.pslg, args.construction, args.kind, progress))
+        source = _read(args, args.file)
+        options = paper_options(dict(args.paper))
+        result = meshing_of(Run(source.pslg, construction, args.kind, options, progress, args.optimal))
         progress("writing")
         text = json_from_mesh(result.mesh)
         if args.output:
             write_text(args.output, text)
         if args.report:
             digest = hashlib.sha256(text.encode()).hexdigest()
-            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, args.construction))
+            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, construction))
         if args.svg:
             write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification))
     if not args.quiet:
@@ -197,7 +219,7 @@ def _verify(args: argparse.Namespace) -> int:
         raise InputError("PSLG and MESH cannot both be standard input")
     with Progress(args.quiet) as progress:
         progress("reading")
-        pslg, candidate = read_pslg(args.pslg).pslg, read_mesh(args.mesh).mesh
+        pslg, candidate = _read(args, args.pslg).pslg, read_mesh(args.mesh).mesh
         progress("verification")
         verification = verify(pslg, candidate)
     print(report.verification_json(verification) if args.json else report.verification_text(verification))
@@ -225,7 +247,7 @@ def _claims(args: argparse.Namespace) -> int:
         claim = chosen[0]
         pslg = read_pslg(args.on or str(WITNESSES.path(args.witness))).pslg
         construction: ConstructionName = args.construction or (claim.runs or ("repaired",))[0]
-        judgement = judge_one(claim, _run(args, pslg, construction, claim.kinds[0], progress))
+        judgement = judge_one(claim, Run(pslg, construction, claim.kinds[0], paper_options(dict(args.paper)), progress))
     print(json.dumps(report.claim_json(claim, judgement.verdict)) if args.json else report.claims_text([judgement]))
     if not judgement.verdict.holds:
         print(report.failures_text([judgement]), file=sys.stderr)

@@ -5,13 +5,13 @@ A nonproper one has degradation below 21.6; a proper one pays a logarithm.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
 
 from gmpy2 import mpq
 
+from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import Subdivision
-from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.mesh import Kind, Mesh
 from exactmesh.steps.columns import triangulate_in_columns
 from exactmesh.steps.interior import triangulate_interior
 from exactmesh.steps.offset import offset
@@ -19,9 +19,6 @@ from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
 from exactmesh.steps.shape import shape_of
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.tube import triangulate_tube, triangulate_tube_in_columns
-
-
-RepairedKind = Literal["nonproper", "proper", "internal"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +40,7 @@ class Construction:
 
 
 def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[str], None] = lambda step: None,
-              kind: RepairedKind = "nonproper") -> Construction:
+              kind: Kind = "nonproper") -> Construction:
     """Return the mesh of the domain of `subdivision`, step by step; `progress` is told the name of each step.
 
     `size_squared` is the squared feature size to be kept: the mfs, or the ifs for an internal mesh. A proper mesh has
@@ -51,6 +48,8 @@ def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[s
 
     Raises `ConstructionFailed` when a step finds no triangulation, which would be a counterexample to the design.
     """
+    if kind == "internal":
+        _refuse_shared_edges(subdivision)
     shape = shape_of(subdivision, size_squared)
     progress("offset")
     q = offset(shape)
@@ -70,3 +69,12 @@ def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[s
     scaled = tuple(Point(p.x * shape.unit, p.y * shape.unit) for p in points[len(shape.points) :])
     mesh = Mesh(kind, subdivision.pslg.vertices + scaled, shape.triangles + interior.faces + tube.faces)
     return Construction(shape, q, chords, interior, tube, mesh)
+
+
+def _refuse_shared_edges(subdivision: Subdivision) -> None:
+    """Raise `InputError` for an edge with the domain on both sides: vertices put on it from both would have to match."""
+    inside = {h for face in subdivision.domain for walk in face.walks for h in walk}
+    for edge, ends in enumerate(subdivision.pslg.edges):
+        if {2 * edge, 2 * edge + 1} <= inside:
+            raise InputError(f"edge {edge} {ends} has the domain on both sides: internal meshes, which put vertices on "
+                             "edges, are made only where every edge has it on one side")

@@ -30,15 +30,16 @@ def report_json(pslg: Pslg, input_sha256: str, meshing: Meshing, mesh_sha256: st
             "input": _squared(verification.input_mfs), "mesh": _squared(verification.mesh_mfs),
             "witness_input": _witness(verification.input_mfs), "witness_mesh": _witness(verification.mesh_mfs)},
         "degradation_squared": _text(verification.degradation_squared),
+        **_internal(verification),
         "claims": [claim_json(judgement.claim, judgement.verdict) for judgement in meshing.judgements],
     }
     return json.dumps(report, indent=1) + "\n"
 
 
-def mfs_json(nearest: Nearest | None) -> str:
-    """Return what `exactmesh mfs --json` prints."""
+def size_json(name: str, nearest: Nearest | None) -> str:
+    """Return what `exactmesh mfs --json` or `exactmesh ifs --json` prints; `name` is mfs or ifs."""
     decimal = None if nearest is None else sqrt_text(nearest.squared)
-    return json.dumps({"mfs_squared": _squared(nearest), "decimal": decimal, "witness": _witness(nearest)})
+    return json.dumps({f"{name}_squared": _squared(nearest), "decimal": decimal, "witness": _witness(nearest)})
 
 
 def verification_json(verification: Verification) -> str:
@@ -49,17 +50,26 @@ def verification_json(verification: Verification) -> str:
         "violations": [{"clause": v.clause, "place": dict(v.place)} for v in verification.violations],
         "mfs_squared": {"input": _squared(verification.input_mfs), "mesh": _squared(verification.mesh_mfs)},
         "degradation_squared": _text(verification.degradation_squared),
+        **_internal(verification),
         "steiner": verification.steiner,
         "faces": verification.faces,
     })
 
 
-def mfs_text(nearest: Nearest | None) -> str:
-    """Return the mfs and its witness in a line for reading."""
+def _internal(verification: Verification) -> dict[str, object]:
+    """Return the fields that only internal meshes have."""
+    if verification.kind != "internal":
+        return {}
+    return {"ifs_squared": {"input": _squared(verification.input_ifs), "mesh": _squared(verification.mesh_ifs)},
+            "ifs_degradation_squared": _text(verification.ifs_degradation_squared)}
+
+
+def size_text(name: str, nearest: Nearest | None) -> str:
+    """Return a feature size, named mfs or ifs, and its witness in a line for reading."""
     if nearest is None:
-        return "mfs: none, there is no vertex with a feature that does not contain it"
+        return f"{name}: none, there is no vertex with a feature that does not contain it"
     feature = f"vertex {nearest.feature[0]}" if nearest.is_vertex_pair else f"edge {nearest.feature}"
-    return (f"mfs {sqrt_text(nearest.squared)}, squared exactly {_short(nearest.squared)}: "
+    return (f"{name} {sqrt_text(nearest.squared)}, squared exactly {_short(nearest.squared)}: "
             f"vertex {nearest.vertex} and {feature}")
 
 
@@ -73,9 +83,14 @@ def verification_text(verification: Verification) -> str:
             lines.append(f"  and {more} more")
         return "\n".join(lines)
     squared = verification.degradation_squared or mpq(0)
-    return (f"valid {verification.kind} mesh: {size}\n"
+    internal = ""
+    if (ifs_squared := verification.ifs_degradation_squared) is not None:
+        internal = (f"ifs degradation {sqrt_text(ifs_squared)}, squared exactly {_short(ifs_squared)}\n"
+                    f"input {size_text('ifs', verification.input_ifs)}\n"
+                    f"mesh {size_text('ifs', verification.mesh_ifs)}\n")
+    return (f"valid {verification.kind} mesh: {size}\n{internal}"
             f"degradation {sqrt_text(squared)}, squared exactly {_short(squared)}\n"
-            f"input {mfs_text(verification.input_mfs)}\nmesh {mfs_text(verification.mesh_mfs)}")
+            f"input {size_text('mfs', verification.input_mfs)}\nmesh {size_text('mfs', verification.mesh_mfs)}")
 
 
 def claims_text(judgements: Iterable[Judgement]) -> str:

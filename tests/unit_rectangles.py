@@ -1,4 +1,4 @@
-"""Triangulated unit rectangles as a Tube of one rectangle, so that the Tube's checkers judge them, and their subsets."""
+"""Triangulated unit rectangles as a Tube of one rectangle, for the Tube's checkers."""
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations

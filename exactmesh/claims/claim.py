@@ -4,8 +4,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from exactmesh.claims.run import ConstructionName, MeshKind, Run
+from exactmesh.claims.run import ConstructionName, Run
 from exactmesh.measure.verdict import Verdict
+from exactmesh.planar.mesh import Kind
 
 # What the checker's values are: squares of lengths or of ratios, plain numbers, or nothing but yes and no.
 Quantity = Literal["square", "number", "truth"]
@@ -33,7 +34,7 @@ class Claim:
     corrected: str = ""
     repair: str = ""
     witness: str = ""
-    kinds: tuple[MeshKind, ...] = ("nonproper", "proper")
+    kinds: tuple[Kind, ...] = ("nonproper", "proper")
 
     def concerns(self, run: Run) -> bool:
         """Return whether the claim can be judged in this run."""

@@ -7,9 +7,10 @@ from exactmesh.claims.elsewhere import ELSEWHERE_CLAIMS
 from exactmesh.claims.repaired import REPAIRED_CLAIMS
 from exactmesh.claims.result import RESULT_CLAIMS
 from exactmesh.claims.run import Run
+from exactmesh.claims.section_2_mesh import MESH_CLAIMS
 from exactmesh.errors import InputError
 
-CLAIMS: tuple[Claim, ...] = (*ELSEWHERE_CLAIMS, *RESULT_CLAIMS, *REPAIRED_CLAIMS)
+CLAIMS: tuple[Claim, ...] = (*ELSEWHERE_CLAIMS, *MESH_CLAIMS, *RESULT_CLAIMS, *REPAIRED_CLAIMS)
 
 
 def claim_by_id(wanted: str) -> Claim:

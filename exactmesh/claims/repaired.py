@@ -1,7 +1,8 @@
 """The claims judged on every run of the repaired construction, in the order of its steps."""
 
 from exactmesh.claims.claim import Claim
-from exactmesh.claims.run import ConstructionName, MeshKind, Run
+from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.planar.mesh import Kind
 from exactmesh.measure.verdict import Verdict
 from exactmesh.steps import mesh_check, offset_check, patch_check, shape_check, trapezoidation_check
 from exactmesh.steps.constants import (
@@ -10,6 +11,7 @@ from exactmesh.steps.constants import (
     FEATURE,
     GAP,
     LEVEL,
+    PAPER_DEGRADATION,
     PROPER_FACTOR,
     PROPER_VERTICES_PER_CORNER,
     SEPARATION,
@@ -20,12 +22,13 @@ from exactmesh.steps.constants import (
 
 _REPAIRED = "repaired construction"
 _RUNS: tuple[ConstructionName, ...] = ("repaired",)
-_NONPROPER: tuple[MeshKind, ...] = ("nonproper",)
+_NONPROPER: tuple[Kind, ...] = ("nonproper",)
+_ALL: tuple[Kind, ...] = ("nonproper", "proper", "internal")
 _GIVEN = ("the input is a planar straight-line graph", "the face is bounded and no bare triangle")
 
 
 def _unit(run: Run) -> Verdict:
-    return shape_check.check_unit(run.subdivision.pslg, run.mfs.squared, run.repaired.shape)
+    return shape_check.check_unit(run.subdivision.pslg, run.size.squared, run.repaired.shape)
 
 
 def _thickness_least(run: Run) -> Verdict:
@@ -109,34 +112,38 @@ def _proper_degradation(run: Run) -> Verdict:
     return mesh_check.check_proper_degradation(run.verification, run.repaired.shape.corner_count)
 
 
+def _internal_degradation(run: Run) -> Verdict:
+    return mesh_check.check_internal_degradation(run.verification)
+
+
 REPAIRED_CLAIMS: tuple[Claim, ...] = (
-    Claim("repaired.unit", _REPAIRED, "the unit m is at most mfs(P), and less by one millionth at most",
-          (), f"mfs/m <= 1 + {UNIT_SLACK}", "square", _RUNS, _unit),
+    Claim("repaired.unit", _REPAIRED, "the unit m is at most the feature size to be kept, and less by one millionth at most",
+          (), f"mfs/m <= 1 + {UNIT_SLACK}", "square", _RUNS, _unit, kinds=_ALL),
     Claim("repaired.offset-thickness", _REPAIRED, "an offset edge keeps its distance from its edge (I1)",
-          _GIVEN, f">= {LEVEL} mfs", "square", _RUNS, _thickness_least),
+          _GIVEN, f">= {LEVEL} mfs", "square", _RUNS, _thickness_least, kinds=_ALL),
     Claim("repaired.offset-reach", _REPAIRED, "an offset edge stays near its edge (I1)",
-          _GIVEN, f"<= {THICKNESS_MAX} mfs", "square", _RUNS, _thickness_greatest),
+          _GIVEN, f"<= {THICKNESS_MAX} mfs", "square", _RUNS, _thickness_greatest, kinds=_ALL),
     Claim("repaired.offset-separation", _REPAIRED,
           "vertices of Q keep their distance from edges of Q without them (I2)", _GIVEN,
-          f">= {SEPARATION} mfs", "square", _RUNS, _separation),
+          f">= {SEPARATION} mfs", "square", _RUNS, _separation, kinds=_ALL),
     Claim("repaired.offset-nesting", _REPAIRED, "Q is simple, on levels, turned like P and inside its face (I3)",
-          _GIVEN, "", "truth", _RUNS, _nesting),
+          _GIVEN, "", "truth", _RUNS, _nesting, kinds=_ALL),
     Claim("repaired.trapezoidation", _REPAIRED, "the trapezoids tile the inside of Q",
-          _GIVEN, "", "truth", _RUNS, _trapezoids_tile),
+          _GIVEN, "", "truth", _RUNS, _trapezoids_tile, kinds=_ALL),
     Claim("repaired.chord-gap", _REPAIRED, "a T-vertex keeps its distance from other vertices of Q on its side (I4)",
-          _GIVEN, f">= {GAP} mfs", "square", _RUNS, _chord_gap),
+          _GIVEN, f">= {GAP} mfs", "square", _RUNS, _chord_gap, kinds=_ALL),
     Claim("repaired.chord-leg", _REPAIRED, "a T-vertex keeps its distance from the legs (I4)",
-          _GIVEN, f">= {SEPARATION} mfs", "square", _RUNS, _chord_leg),
+          _GIVEN, f">= {SEPARATION} mfs", "square", _RUNS, _chord_leg, kinds=_ALL),
     Claim("repaired.chord-touch", _REPAIRED, "each horizontal side holds a vertex of Q (I5)",
-          _GIVEN, ">= 1", "number", _RUNS, _chord_touch),
+          _GIVEN, ">= 1", "number", _RUNS, _chord_touch, kinds=_ALL),
     Claim("repaired.chord-clearance", _REPAIRED, "an edge of Q goes on for a level beyond a chord end (I5')",
-          _GIVEN, f">= {LEVEL} mfs", "number", _RUNS, _chord_clearance),
+          _GIVEN, f">= {LEVEL} mfs", "number", _RUNS, _chord_clearance, kinds=_ALL),
     Claim("repaired.caps-whole", _REPAIRED, "no vertex is put on an edge of a cap",
           _GIVEN, "", "truth", _RUNS, _caps_whole),
     Claim("repaired.edge-gap", _REPAIRED, "neighbours on an edge of Q keep their distance",
           _GIVEN, f">= {EDGE_GAP} mfs", "square", _RUNS, _edge_gap),
     Claim("repaired.interior-tiling", _REPAIRED, "the faces of the Interior tile the inside of Q",
-          _GIVEN, "", "truth", _RUNS, _interior_tiles),
+          _GIVEN, "", "truth", _RUNS, _interior_tiles, kinds=_ALL),
     Claim("repaired.interior-feature", _REPAIRED, "every face of the Interior keeps its feature size",
           _GIVEN, f">= {FEATURE} mfs", "square", _RUNS, _interior_feature, kinds=_NONPROPER),
     Claim("repaired.tube-tiling", _REPAIRED, "the faces of the Tube tile what lies between P and Q",
@@ -148,6 +155,10 @@ REPAIRED_CLAIMS: tuple[Claim, ...] = (
           _vertex_count),
     Claim("repaired.degradation", _REPAIRED, "the degradation is at most the design value",
           (), f"<= {DESIGN_DEGRADATION}", "square", _RUNS, _design_degradation, kinds=_NONPROPER),
+    Claim("repaired.internal-degradation", "repaired construction, for Theorem 3",
+          "an internal mesh is proper and degrades the internal feature size by less than 45",
+          ("no edge of the input has the domain on both sides",), f"< {PAPER_DEGRADATION}", "square", _RUNS,
+          _internal_degradation, kinds=("internal",)),
     Claim("repaired.proper-degradation", "repaired construction, for Theorem 2",
           "the degradation of a proper mesh grows at most with the logarithm of the number n of corners",
           ("n >= 4",), f"<= max({DESIGN_DEGRADATION}, {PROPER_FACTOR} (1 + log2 n))", "square", _RUNS,

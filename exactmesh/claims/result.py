@@ -25,8 +25,10 @@ def _paper_degradation(run: Run) -> Verdict:
 
 
 RESULT_CLAIMS: tuple[Claim, ...] = (
+    Claim("section-1.classic-triangulation", "section 1", "a classic triangulation adds no vertex and tiles the polygon",
+          (), "", "truth", ("classic",), _valid, kinds=("classic",)),
     Claim("theorem-1.triangulation", "Theorem 1", "the mesh is a triangulation that leaves the boundary whole",
-          ("P is a simple polygon",), "", "truth", _RUNS, _valid),
+          ("P is a simple polygon",), "", "truth", _RUNS, _valid, kinds=("nonproper",)),
     Claim("theorem-1.feature-size", "Theorem 1, phase 3",
           "the feature size of the mesh is at least 0.022 of the input's", ("P is a simple polygon",),
           f">= {PAPER_FEATURE} mfs", "square", _RUNS, _paper_feature, _GAP, _REPAIR, "l-shape-192",
@@ -34,4 +36,8 @@ RESULT_CLAIMS: tuple[Claim, ...] = (
     Claim("theorem-1.degradation", "Theorem 1", "the degradation is below 45",
           ("P is a simple polygon",), f"< {PAPER_DEGRADATION}", "square", _RUNS, _paper_degradation, _GAP, _REPAIR,
           "l-shape-192", kinds=("nonproper",)),
+    Claim("theorem-2.triangulation", "Theorem 2", "the mesh is a proper triangulation that leaves the boundary whole",
+          (), "", "truth", ("repaired",), _valid, kinds=("proper",)),
+    Claim("theorem-3.triangulation", "Theorem 3", "a proper triangulation with vertices on the boundary",
+          ("no edge of the input has the domain on both sides",), "", "truth", ("repaired",), _valid, kinds=("internal",)),
 )

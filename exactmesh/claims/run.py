@@ -5,20 +5,25 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
+from exactmesh.classic import classic_mesh, optimal_classic_mesh
+from exactmesh.errors import InputError
+from exactmesh.measure.ifs import internal_feature_size
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
 from exactmesh.paper import PaperConstruction, PaperOptions, construct_paper, simple_polygon
 from exactmesh.planar.faces import Subdivision, domain_of
-from exactmesh.planar.mesh import Mesh
+from exactmesh.planar.mesh import Kind, Mesh
 from exactmesh.planar.pslg import Pslg
 from exactmesh.repaired import Construction, construct
 from exactmesh.steps.offset_curve import offset_curve
 from exactmesh.steps.records import OffsetCurve
 
-ConstructionName = Literal["repaired", "paper"]
-MeshKind = Literal["nonproper", "proper"]
+ConstructionName = Literal["repaired", "paper", "classic"]
 
 
+# The paper's Theorem 3 leaves its construction to a sentence that is false of the Interior: there is nothing to run.
+KINDS_OF: dict[ConstructionName, tuple[Kind, ...]] = {
+    "repaired": ("nonproper", "proper", "internal"), "paper": ("nonproper", "proper"), "classic": ("classic",)}
 _DEFAULTS = PaperOptions()
 
 
@@ -30,16 +35,22 @@ class Run:
     """An input with a construction; the properties raise what the steps raise, `InputError` for a bad input.
 
     `progress` is called with the name of each step as it begins. A proper mesh by the paper is Theorem 2's: its
-    rectangles are filled in layers.
+    rectangles are filled in layers. `optimal` asks for the best classic mesh instead of the constrained Delaunay
+    triangulation. Raises `InputError` when the construction makes no meshes of that kind.
     """
 
-    def __init__(self, pslg: Pslg, construction: ConstructionName = "repaired", kind: MeshKind = "nonproper",
-                 options: PaperOptions = _DEFAULTS, progress: Callable[[str], None] = _silent) -> None:
+    def __init__(self, pslg: Pslg, construction: ConstructionName = "repaired", kind: Kind = "nonproper",
+                 options: PaperOptions = _DEFAULTS, progress: Callable[[str], None] = _silent, optimal: bool = False
+                 ) -> None:
         self.pslg = pslg
         self.construction: ConstructionName = construction
-        self.kind: MeshKind = kind
+        if kind not in KINDS_OF[construction]:
+            raise InputError(f"the {construction} construction makes {' and '.join(KINDS_OF[construction])} meshes, "
+                             f"not {kind} ones")
+        self.kind: Kind = kind
         self.options = replace(options, rectangle="layers") if kind == "proper" else options
         self.progress = progress
+        self.optimal = optimal
 
     @cached_property
     def subdivision(self) -> Subdivision:
@@ -56,6 +67,17 @@ class Run:
         return nearest
 
     @cached_property
+    def size(self) -> Nearest:
+        """The feature size that the mesh is to keep: the ifs for an internal mesh, else the mfs."""
+        if self.kind != "internal":
+            return self.mfs
+        self.progress("ifs")
+        nearest = internal_feature_size(self.subdivision)
+        if nearest is None:
+            raise AssertionError("a bounded face has three vertices, hence a vertex-edge pair")
+        return nearest
+
+    @cached_property
     def curve(self) -> OffsetCurve:
         """The paper's P2 and P3, without the steps that follow."""
         return offset_curve(simple_polygon(self.subdivision), self.mfs.squared, self.options.right_angle)
@@ -63,17 +85,23 @@ class Run:
     @cached_property
     def repaired(self) -> Construction:
         """The repaired construction, step by step."""
-        return construct(self.subdivision, self.mfs.squared, self.progress, self.kind)
+        return construct(self.subdivision, self.size.squared, self.progress, self.kind)
 
     @cached_property
     def paper(self) -> PaperConstruction:
         """The paper's construction, step by step."""
         return construct_paper(self.subdivision, self.mfs.squared, self.options, self.progress)
 
-    @property
+    @cached_property
     def mesh(self) -> Mesh:
         """The finished mesh."""
-        return self.paper.mesh if self.construction == "paper" else self.repaired.mesh
+        if self.construction == "paper":
+            return self.paper.mesh
+        if self.construction == "repaired":
+            return self.repaired.mesh
+        self.progress("triangulation")
+        return (optimal_classic_mesh(self.subdivision, self.progress) if self.optimal else
+                classic_mesh(self.subdivision))
 
     @cached_property
     def verification(self) -> Verification:

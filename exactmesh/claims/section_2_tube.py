@@ -9,9 +9,10 @@ from collections.abc import Callable, Sequence
 from gmpy2 import mpq
 
 from exactmesh.claims.claim import Claim
-from exactmesh.claims.run import MeshKind, Run
+from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
 from exactmesh.measure.verdict import Tally, Verdict
+from exactmesh.planar.mesh import Kind
 from exactmesh.steps import lemma_3_check, paper_tube_check, paper_tube_unsnapped_check
 from exactmesh.steps.reading import READINGS, Reading
 from exactmesh.steps.records import PaperTube, Phase
@@ -25,7 +26,7 @@ _SPACING = (*_SIMPLE, "the grid's spacing stands for 1/(2 d3)")
 _UNSNAPPED = (*_SIMPLE, "before snapping")
 _WHOLE = (*_SIMPLE, "T' is all of T", "its ends before snapping are on P3")
 _LAYERED = (*_SIMPLE, "the rectangles of the Tube are filled by layers")
-_PROPER: tuple[MeshKind, ...] = ("proper",)
+_PROPER: tuple[Kind, ...] = ("proper",)
 _LOW = "1/(8 d3) less a millionth"
 _MILLIONTH = (1 - mpq(1, 10**6)) ** 2
 _REPAIR = "one routine triangulates every quasi-trapz whole, so there are neither fans beside it nor a rectangle in it"

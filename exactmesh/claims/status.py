@@ -11,7 +11,8 @@ from typing import Literal
 
 from exactmesh.claims.claim import Claim
 from exactmesh.claims.ledger import CLAIMS
-from exactmesh.claims.run import ConstructionName, MeshKind, Run
+from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.planar.mesh import Kind
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
@@ -51,11 +52,11 @@ class Entry:
 
 def ledger(claims: Iterable[Claim] = CLAIMS, progress: Callable[[str], None] = lambda step: None) -> list[Entry]:
     """Return what is known of the given claims; `progress` is told the name of each witness."""
-    runs: dict[tuple[str, ConstructionName, MeshKind], Run] = {}
+    runs: dict[tuple[str, ConstructionName, Kind], Run] = {}
     by_size = sorted(((len(pslg.vertices), name, pslg) for name in WITNESSES.names()
                       for pslg in [read_pslg(str(WITNESSES.path(name))).pslg]), key=lambda item: item[:2])
 
-    def run_of(name: str, construction: ConstructionName, kind: MeshKind) -> Run:
+    def run_of(name: str, construction: ConstructionName, kind: Kind) -> Run:
         key = name, construction, kind
         if key not in runs:
             progress(f"{name} ({construction}, {kind})")
@@ -69,7 +70,7 @@ def ledger(claims: Iterable[Claim] = CLAIMS, progress: Callable[[str], None] = l
 
 
 def _judged(claim: Claim, construction: ConstructionName, names: list[str],
-            run_of: Callable[[str, ConstructionName, MeshKind], Run]) -> Judged:
+            run_of: Callable[[str, ConstructionName, Kind], Run]) -> Judged:
     if claim.check is None:
         return Judged(construction, "open", 0)
     instances = 0

@@ -30,6 +30,7 @@ from gmpy2 import mpq
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import is_ahead, orientation
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared, face_witness
+from exactmesh.measure.ifs import internal_feature_size, mesh_ifs
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.planar.cycles import Side, directed_edges
 from exactmesh.planar.faces import Subdivision
@@ -47,7 +48,10 @@ class Violation:
 
 @dataclass(frozen=True, slots=True)
 class Verification:
-    """The verdict on a mesh. `mesh_mfs` is None when the mesh is not valid: it then has no feature size to speak of."""
+    """The verdict on a mesh. `mesh_mfs` is None when the mesh is not valid: it then has no feature size to speak of.
+
+    The internal feature sizes are there for valid meshes of kind "internal" only.
+    """
 
     kind: str
     violations: tuple[Violation, ...]
@@ -55,6 +59,8 @@ class Verification:
     mesh_mfs: Nearest | None
     steiner: int
     faces: int
+    input_ifs: Nearest | None = None
+    mesh_ifs: Nearest | None = None
 
     @property
     def valid(self) -> bool:
@@ -68,6 +74,13 @@ class Verification:
             return None
         return self.input_mfs.squared / self.mesh_mfs.squared
 
+    @property
+    def ifs_degradation_squared(self) -> mpq | None:
+        """The exact square of ifs(input) / ifs(mesh) of a valid internal mesh."""
+        if self.mesh_ifs is None or self.input_ifs is None:
+            return None
+        return self.input_ifs.squared / self.mesh_ifs.squared
+
 
 def verify_mesh(subdivision: Subdivision, mesh: Mesh) -> Verification:
     """Return whether `mesh` is a valid mesh of its kind of the domain of `subdivision`, and its exact feature size."""
@@ -77,7 +90,9 @@ def verify_mesh(subdivision: Subdivision, mesh: Mesh) -> Verification:
     input_mfs = minimum_feature_size(pslg)
     mesh_mfs = None if judge.violations else _mesh_mfs(subdivision, mesh, input_mfs, judge)
     steiner = len(mesh.vertices) - len(pslg.vertices)
-    return Verification(mesh.kind, tuple(judge.violations), input_mfs, mesh_mfs, steiner, len(mesh.faces))
+    input_ifs = internal_feature_size(subdivision) if mesh.kind == "internal" and not judge.violations else None
+    return Verification(mesh.kind, tuple(judge.violations), input_mfs, mesh_mfs, steiner, len(mesh.faces),
+                        input_ifs, mesh_ifs(mesh) if input_ifs is not None else None)
 
 
 class _Judge:

@@ -6,7 +6,8 @@ circle through a triangle has a vertex inside that the triangle sees (Lee and Li
 circle, the diagonal stays as it was met, and the result is unique but for these.
 
 The number of flips is quadratic at worst, few where the sweep that finds the first triangulation runs along the
-domain. So it runs along the main axis of the vertices; when that takes many flips, across it.
+domain and not along rows of vertices. So it runs along the main axis of the vertices; when that takes many flips,
+across it, and then in a direction between.
 """
 
 from collections.abc import Callable, MutableMapping, Sequence
@@ -23,17 +24,19 @@ from exactmesh.planar.faces import Subdivision
 from exactmesh.planar.triangulation import Triangulation, triangles_from, triangulate
 
 # Flips for each side after which another first triangulation is tried.
-_MANY = 4
+_MANY = 2
 
 
 def constrained_delaunay(subdivision: Subdivision) -> Triangulation:
     """Return the constrained Delaunay triangulation of the domain."""
     points = subdivision.pslg.vertices
     x, y = main_axis(points)
-    start = triangulate(subdivision, (x, y))
-    return (flipped(points, start, _MANY * len(start.apex))
-            or flipped(points, start := triangulate(subdivision, (-y, x)), _MANY * len(start.apex))
-            or delaunay_from(points, start))
+    for along in ((x, y), (-y, x), (5 * x - 2 * y, 2 * x + 5 * y)):
+        start = triangulate(subdivision, along)
+        result = flipped(points, start, _MANY * len(start.apex))
+        if result is not None:
+            return result
+    return delaunay_from(points, start)
 
 
 def delaunay_from(points: Sequence[Point], start: Triangulation) -> Triangulation:

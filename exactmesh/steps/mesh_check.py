@@ -44,6 +44,16 @@ def check_paper_feature(verification: Verification) -> Verdict:
     return tally.verdict()
 
 
+def check_internal_degradation(verification: Verification) -> Verdict:
+    """Return the verdict on the squared ifs degradation of an internal mesh against 45."""
+    tally = Tally("ifs degradation < 45", "<", PAPER_DEGRADATION**2)
+    nearest, degradation = verification.mesh_ifs, verification.ifs_degradation_squared
+    if nearest is None or degradation is None:
+        return failed(1, "the mesh is valid", violations=len(verification.violations))
+    tally.see(degradation, vertex=nearest.vertex, edge=list(nearest.feature))
+    return tally.verdict()
+
+
 def check_proper_degradation(verification: Verification, corner_count: int) -> Verdict:
     """Return the verdict on the squared degradation of a proper mesh against max(21.6, 9 (1 + log2 n)).
 

@@ -2,6 +2,7 @@
 
 from fractions import Fraction
 from functools import partial
+from itertools import pairwise
 
 import pytest
 from constructions import face_feature_squared, untiled
@@ -103,7 +104,7 @@ def test_one_vertex_eight_columns_away_takes_more_than_three_new_ones_a_gap():
 
 def test_one_far_vertex_takes_a_number_of_new_ones_that_grows_with_its_distance():
     counts = [len(triangulate_rectangle([0, 2**k, 2 ** (k + 1)]).steiner) for k in range(1, 40)]
-    assert [b - a for a, b in zip(counts, counts[1:], strict=False)] == [2] * 38
+    assert [b - a for a, b in pairwise(counts)] == [2] * 38
 
 
 @pytest.mark.parametrize("positions", [[], [0], [0, 1], [1, 2, 3], [0, 2, 2, 3], [0, 3, 2], [-1, 0, 1]])

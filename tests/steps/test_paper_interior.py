@@ -77,6 +77,6 @@ def test_p5_without_t_vertices_loses_at_most_half():
 
 def test_a_convex_polygon_can_lose_more():
     # Snapping puts a third vertex on the lowest edge of this P4, a T-vertex of the trapezoid above it.
-    done = made("13-gon")
+    done = made("40-gon")
     verdict = check_degradation(done.p4, done.trapezoidation, done.interior, done.points)
     assert not verdict.holds and verdict.worst == mpq(1270071442508087296, 5193259823550758345)

@@ -41,7 +41,8 @@ HARMS = [
     (faces(lambda old: tuple(tuple(NEW + 1 if v == NEW else v for v in face) if n == 0 else face
                              for n, face in enumerate(old))), MADE.points,
      "one vertex in each trapezoid, none in a triangle"),
-    (replace(INSIDE, points=(*INSIDE.points, Point(mpq(0), mpq(0)))), MADE.points, "every new vertex is in one trapezoid"),
+    (replace(INSIDE, points=(*INSIDE.points, Point(mpq(0), mpq(0)))), MADE.points,
+     "every new vertex is in one trapezoid"),
     (INSIDE, moved(NEW, Point(mpq(-1), mpq(-1))), "faces are triangles"),
 ]
 

@@ -16,8 +16,8 @@ from exactmesh.steps.paper_tube_check import PHASES, check_feature, check_low_ve
 from exactmesh.steps.reading import READINGS
 
 NAMES = sorted(families.ALL_SMALL)
-OPTIONS = [PaperOptions(), PaperOptions(reading="tube"), PaperOptions(teeth="retiled"), PaperOptions(rectangle="layers"),
-           PaperOptions(right_angle="prolonged", ties="down")]
+OPTIONS = [PaperOptions(), PaperOptions(reading="tube"), PaperOptions(teeth="retiled"),
+           PaperOptions(rectangle="layers"), PaperOptions(right_angle="prolonged", ties="down")]
 
 
 def made(name, options=OPTIONS[0]):

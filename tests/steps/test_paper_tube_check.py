@@ -1,0 +1,184 @@
+"""The checkers of the Tube, after and before snapping: each refuses harm by its clause, and every clause is seen."""
+
+from dataclasses import replace
+
+import families
+import pytest
+from constructions import clauses_of
+from gmpy2 import mpq
+
+from exactmesh.claims.run import Run
+from exactmesh.geometry.point import Point
+from exactmesh.measure.verdict import Tally
+from exactmesh.numbers.algebraic import Real, sqrt
+from exactmesh.paper import PaperOptions
+from exactmesh.steps import paper_tube_check as after
+from exactmesh.steps import paper_tube_unsnapped_check as before
+from exactmesh.steps.reading import READINGS
+from exactmesh.steps.records import PaperTube, Patch, RealPoint, Rectangle, Shape
+
+MADE = Run(families.ALL_SMALL["spike room"], "paper").paper
+STAR = Run(families.ALL_SMALL["star 12"], "paper").paper
+"""Rectangles and a fan; fans, cuts and no rectangle."""
+MOST = mpq(9999, 10000)
+OCTAGON, TUBE = READINGS["octagon"], READINGS["tube"]
+G2 = MADE.p4.spacing**2 / MADE.mfs_squared
+
+
+def moved(vertex, to, made=MADE, beyond=MOST, start=None):
+    """Return the points with one vertex moved most of the way to another, or `beyond` times the way from `start`."""
+    p, q = made.points[vertex if start is None else start], made.points[to]
+    place = Point(p.x + (q.x - p.x) * beyond, p.y + (q.y - p.y) * beyond)
+    return (*made.points[:vertex], place, *made.points[vertex + 1 :])
+
+
+def phases(change):
+    return replace(MADE.tube, phase=tuple(change(phase) for phase in MADE.tube.phase))
+
+
+def faces(change):
+    return replace(MADE.tube, patch=replace(MADE.tube.patch, faces=change(MADE.tube.patch.faces)))
+
+
+def tiling(tube=MADE.tube, points=MADE.points):
+    return after.check_tiling(MADE.shape, MADE.p4, MADE.trapezoidation, MADE.interior, tube, points)
+
+
+def structure(points):
+    return after.check_structure(MADE.shape, MADE.p4, points)
+
+
+def angles(made, points):
+    return after.check_snapped_angles(made.shape, made.p4, made.tube, points)
+
+
+def record(**changes):
+    return replace(MADE.tube, rectangles=(replace(MADE.tube.rectangles[0], **changes), *MADE.tube.rectangles[1:]))
+
+
+def low_vertex(bound):
+    return after.check_low_vertex(MADE.shape, MADE.p4, MADE.tube, MADE.points, MADE.mfs_squared, bound)
+
+
+def by_hand(a_below, b_below):
+    """Return the verdict on the projection in a Tube with B from (0, 0) to (10, 0) and T' from (-1, 4) to (11, 4)."""
+    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (10, 0), (11, 4), (-1, 4), a_below, b_below)]
+    shape = Shape(mpq(1), tuple(points[:2]), (0, 1), (), (), ())
+    return after.check_projection(shape, PaperTube(Patch(2, (), ()), (), (Rectangle(0, (2, 3), (0, 1), 4, 5),)), points)
+
+
+FIRST = MADE.tube.rectangles[0]
+B, A = FIRST.side[0], FIRST.side[-1]
+CORNER = MADE.shape.origin[MADE.p4.corner[0]]
+LEFT = MADE.shape.origin[FIRST.edge]
+HARMS = {
+    "dropped": (lambda: tiling(faces(lambda old: old[1:])), "the faces' boundaries add up to the region's"),
+    "doubled": (lambda: tiling(faces(lambda old: (*old, old[3]))), "faces do not overlap"),
+    "flipped": (lambda: tiling(faces(lambda old: (*old[:5], old[5][::-1], *old[6:]))), "faces are triangles"),
+    "folded": (lambda: structure(moved(MADE.p4.first, CORNER, beyond=2)), "triangles and quasi-trapz are simple"),
+    "flat spoke": (lambda: angles(MADE, moved(MADE.p4.first, MADE.p4.first + 1, beyond=2, start=CORNER)),
+                   "the angle with P4 is at least arcsin(1/4)"),
+    "flat cut": (lambda: after.check_cut_angle(MADE.trapezoidation, MADE.tube, MADE.points),
+                 "the angle with T is at least 45 degrees"),
+    "a' below B": (lambda: by_hand((1, -1), (9, 2)), "R lies in Q'"),
+    "a' beside": (lambda: by_hand((-2, 2), (9, 2)), "R lies in Q'"),
+    "slanted": (lambda: by_hand((1, 2), (9, 2)), "T' projects onto B"),
+    "crowded top": (lambda: after.check_upper(MADE.shape, MADE.tube, moved(FIRST.side[1], B), MADE.mfs_squared, G2),
+                    "mfs(Q') is the spacing"),
+    "shallow": (lambda: after.check_lower(MADE.shape, MADE.tube, moved(FIRST.a_below, LEFT), MADE.mfs_squared, G2 / 4),
+                "mfs(Q'') is half the spacing"),
+    "too high a bound": (lambda: low_vertex(G2), "the vertex at 1/(8 d3) keeps 1/(8 d3)"),
+    "neighbours": (lambda: after.check_gaps(MADE.tube, moved(FIRST.side[1], B), MADE.mfs_squared, G2),
+                   "neighbours are the spacing apart"),
+    "short side": (lambda: after.check_longer_side(MADE.tube, moved(A, B)), "|a b| >= |a a'|"),
+    "many": (lambda: after.check_steiner_count(112, 3), "at most 36 Steiner vertices a corner"),
+    "T-vertex": (lambda: after.check_proper_elsewhere(MADE.interior, MADE.tube), "faces have three vertices"),
+    "prolonged": (lambda: before.check_spokes(MADE.shape, bent(MADE.curve), False), "the angle is at least 45 degrees"),
+    "inner corner": (lambda: before.check_inner_corners(*whole(), OCTAGON),
+                     "a' and b' are farther than 1/(2 d3) from the sides"),
+    "moved a'": (lambda: before.check_motion(MADE.shape, MADE.curve, MADE.p4, every_side_whole(),
+                                             moved(FIRST.a_below, LEFT), OCTAGON),
+                 "a' and b' move by at most 1/(4 d3)"),
+    "second reading": (lambda: before.check_fan_number(TUBE), "1/(2 d3 sqrt 2) >= 0.067"),
+    "first reading": (lambda: before.check_motion_number(OCTAGON), "1/(4 d3) = 1/(16 sqrt 2)"),
+    "three decimals": (lambda: before.check_low_number(OCTAGON), "1/(8 d3) is 0.022 in three decimals"),
+}
+
+
+def bent(curve):
+    """Move the first vertex of P3 along its ring: its spoke leans."""
+    (ring,) = curve.rings
+    v = ring[0].vertices[0]
+    first = replace(ring[0], vertices=(RealPoint(v.x + 5, v.y), *ring[0].vertices[1:]))
+    return replace(curve, rings=((first, *ring[1:]),))
+
+
+def every_side_whole():
+    """Return the Tube with its first rectangle on the whole edge of P4, as its record tells."""
+    k = MADE.p4.source.index(FIRST.edge)
+    following = MADE.p4.successors()
+    return record(side=(MADE.p4.first + following[k], *FIRST.side[1:-1], MADE.p4.first + k))
+
+
+def whole():
+    made = Run(families.ring([(12, 1), (12, 4), (9, 7), (8, 4)]), "paper").paper
+    return made.shape, made.curve, made.p4, made.tube
+
+
+@pytest.mark.parametrize("judged, clause", HARMS.values(), ids=HARMS)
+def test_harm_is_refused(judged, clause):
+    verdict = judged()
+    assert not verdict.holds and verdict.witness.clause == clause
+
+
+def test_every_clause_is_seen():
+    assert {clause for _, clause in HARMS.values()} >= clauses_of(after) | clauses_of(before)
+
+
+def test_good_results_pass():
+    assert tiling().holds and structure(MADE.points).holds and angles(MADE, MADE.points).holds
+    assert angles(STAR, STAR.points).instances == 2 * len(STAR.p4.x) + 2 * STAR.tube.phase.count("fan")
+    assert after.check_projection(MADE.shape, MADE.tube, MADE.points).instances == len(MADE.tube.rectangles) > 0
+    assert after.check_upper(MADE.shape, MADE.tube, MADE.points, MADE.mfs_squared, G2).holds
+    assert after.check_lower(MADE.shape, MADE.tube, MADE.points, MADE.mfs_squared, G2 / 4).holds
+    assert after.check_gaps(MADE.tube, MADE.points, MADE.mfs_squared, G2).holds
+    assert after.check_longer_side(MADE.tube, MADE.points).holds
+    assert by_hand((-1, 2), (11, 2)).witness.clause == "R lies in Q'"
+    assert before.check_spokes(MADE.shape, MADE.curve, False).holds
+    assert before.check_fan_number(OCTAGON).holds
+    assert before.check_motion_number(TUBE).holds and before.check_low_number(TUBE).holds
+
+
+@pytest.mark.parametrize("phase", sorted(set(MADE.tube.phase)))
+def test_wrong_labels_are_judged_as_what_they_say(phase):
+    # The low faces keep a quarter of the spacing, so nothing that has them keeps half of it.
+    def verdict(tube):
+        tally = Tally("half", ">=", G2 / 4)
+        return after.check_feature(tube, MADE.points, MADE.mfs_squared, tally, (phase,))
+
+    swapped = phases(lambda old: {phase: "low", "low": phase}.get(old, old))
+    assert not verdict(swapped).holds
+    assert verdict(MADE.tube).holds == (phase not in ("low", "rectangle"))
+    assert verdict(phases(lambda old: "fan" if phase != "fan" else "cut")).instances == 0
+
+
+def test_a_face_that_is_no_triangle_counts_as_zero():
+    tally = Tally("any", ">=", mpq(1))
+    harmed = faces(lambda old: (old[0][::-1], *old[1:]))
+    assert after.check_feature(harmed, MADE.points, MADE.mfs_squared, tally).worst == 0
+
+
+def test_a_right_angle_prolonged_is_45_degrees_exactly():
+    pslg = families.ring([(0, 0), (9, 0), (9, 9), (5, 9), (5, 5), (0, 5)])
+    for rule, worst in (("prolonged", Real(mpq(1, 2))), ("chords", (2 - sqrt(2)) / 4)):
+        run = Run(pslg, "paper", options=PaperOptions(right_angle=rule))
+        verdict = before.check_spokes(run.paper.shape, run.curve, False)
+        assert verdict.holds and verdict.worst == worst
+
+
+def test_tops_alone_are_a_part_of_all():
+    for made in (MADE, STAR):
+        whole_verdict = before.check_spokes(made.shape, made.curve, False)
+        tops = before.check_spokes(made.shape, made.curve, True)
+        assert tops.instances == 2 * len(made.shape.points) <= whole_verdict.instances
+        assert tops.worst <= whole_verdict.worst
