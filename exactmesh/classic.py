@@ -177,7 +177,8 @@ def _best_triangles(points: list[Point], visible: NDArray[np.bool_]) -> list[Tri
     heights = _Heights(points)
     height, is_less = heights.height, heights.is_less
     none: Height = inf, None
-    # best[i][j] is the least height of the best triangulation of the polygon i, i + 1, .., j, `third` its vertex at i j.
+    # best[i][j] is the least height of the best triangulation of the polygon i, i + 1, .., j; third[i][j] its vertex
+    # at the side i j.
     best = [[none] * count for _ in range(count)]
     third = [[0] * count for _ in range(count)]
     for length in range(2, count):

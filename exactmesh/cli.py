@@ -27,12 +27,17 @@ from exactmesh.io.atomic import write_text
 from exactmesh.io.mesh_json import json_from_mesh
 from exactmesh.io.read import Source, read_mesh, read_pslg
 from exactmesh.io.svg import svg_from_mesh
+from exactmesh.io.text import printable
 from exactmesh.numbers.rational import decimal_text, rational_from_text
 from exactmesh.paper import PAPER_CHOICES, paper_options
 from exactmesh.planar.bounding_box import with_bounding_box
 from exactmesh.planar.mesh import KINDS
 from exactmesh.progress import Progress
 from exactmesh.report_ledger import bounds_json, bounds_text, entry_text, ledger_json, ledger_text
+from exactmesh.reproduce.growth import laws
+from exactmesh.reproduce.table1 import MADE, Made
+from exactmesh.reproduce.table1 import rows as table1_rows
+from exactmesh.reproduce.text import table1_csv, table1_json, table1_svg, table1_text
 
 HOLDS, FAILS, REFUSED, INTERRUPTED = 0, 1, 2, 130
 
@@ -126,8 +131,14 @@ def _parser() -> argparse.ArgumentParser:
     command.set_defaults(run=_claims)
 
     command = commands.add_parser("reproduce", help="tables of the paper, recomputed")
-    command.add_argument("what", choices=("bounds",), help="bounds: the paper's numbers beside their exact values")
+    command.add_argument("what", choices=("bounds", "table1"),
+                         help="bounds: the paper's numbers beside their exact values; table1: the paper's Table 1, "
+                         "exact degradations of all kinds of meshes on families of inputs")
     command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.add_argument("-o", "--output", metavar="DIR", help="table1: also write table1.txt, .csv and .svg there")
+    command.add_argument("--short", action="store_true", help="table1: inputs of up to some 500 vertices")
+    command.add_argument("--kinds", metavar="KIND,..", type=_kinds, help=f"table1: only these of {', '.join(MADE)}")
+    _add_quiet(command)
     command.set_defaults(run=_reproduce)
 
     command = commands.add_parser("examples", help="list the real outlines that come along, or write one")
@@ -135,6 +146,16 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("-o", "--output", metavar="OUT", default="-", help="where to write it (default: -)")
     command.set_defaults(run=_examples)
     return parser
+
+
+def _make_folder(path: str) -> None:
+    """Make a folder where there is none; raises `InputError`."""
+    if path == "-":
+        raise InputError("several files are written: -o needs a folder, not standard output")
+    try:
+        os.makedirs(path, exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise InputError(f"{printable(path)}: no folder can be made: {getattr(error, 'strerror', None) or error}") from error
 
 
 def _add_quiet(command: argparse.ArgumentParser) -> None:
@@ -151,8 +172,8 @@ def _add_construction(command: argparse.ArgumentParser, default: str | None) -> 
 
 def _add_box(command: argparse.ArgumentParser) -> None:
     command.add_argument("--bounding-box", metavar="MARGIN",
-                         help="put the input into an upright rectangle this far away on every side, so that its outside "
-                         "is part of the domain")
+                         help="put the input into an upright rectangle this far away on every side: the outside becomes "
+                         "part of the domain")
 
 
 def _read(args: argparse.Namespace, path: str) -> Source:
@@ -168,6 +189,13 @@ def _paper_option(text: str) -> tuple[str, str]:
     if value not in PAPER_CHOICES.get(name, ()):
         raise argparse.ArgumentTypeError(f"{text!r} is none of the choices")
     return name, value
+
+
+def _kinds(text: str) -> tuple[Made, ...]:
+    names = text.split(",")
+    if not set(names) <= set(MADE):
+        raise argparse.ArgumentTypeError(f"{text!r}: choose from {', '.join(MADE)}, separated by commas")
+    return tuple(kind for kind in MADE if kind in names)
 
 
 def _size(args: argparse.Namespace) -> int:
@@ -255,9 +283,30 @@ def _claims(args: argparse.Namespace) -> int:
 
 
 def _reproduce(args: argparse.Namespace) -> int:
+    if args.what == "table1":
+        return _reproduce_table1(args)
+    if args.output or args.short or args.kinds:
+        raise InputError("-o, --short and --kinds are for table1")
     rows = list(bounds())
     print(bounds_json(rows) if args.json else bounds_text(rows))
     return HOLDS
+
+
+def _reproduce_table1(args: argparse.Namespace) -> int:
+    if args.output:
+        _make_folder(args.output)  # before the work: it may be refused
+    with Progress(args.quiet) as progress:
+        rows = list(table1_rows(args.kinds or MADE, args.short, progress))
+    found = laws(rows)
+    if args.output:
+        texts = {"txt": table1_text(rows, found) + "\n", "csv": table1_csv(rows), "svg": table1_svg(rows)}
+        for ending, text in texts.items():
+            write_text(os.path.join(args.output, f"table1.{ending}"), text)
+    print(table1_json(rows, found) if args.json else table1_text(rows, found))
+    failures = [failure for law in found for failure in law.failures]
+    if failures:
+        print("\n".join(failures), file=sys.stderr)
+    return FAILS if failures else HOLDS
 
 
 def _examples(args: argparse.Namespace) -> int:

@@ -72,7 +72,7 @@ def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[s
 
 
 def _refuse_shared_edges(subdivision: Subdivision) -> None:
-    """Raise `InputError` for an edge with the domain on both sides: vertices put on it from both would have to match."""
+    """Raise `InputError` for an edge with the domain on both sides: vertices put on it from both would differ."""
     inside = {h for face in subdivision.domain for walk in face.walks for h in walk}
     for edge, ends in enumerate(subdivision.pslg.edges):
         if {2 * edge, 2 * edge + 1} <= inside:

@@ -34,7 +34,8 @@ def entry_text(entry: Entry) -> str:
     if not entry.judged:
         lines.append("status      open: no single input settles it, and no proof is tied to it yet")
     for judged in entry.judged:
-        lines.append(f"status      {judged.status} in {judged.instances} instances ({judged.construction} construction)")
+        met = f"in {judged.instances} instances ({judged.construction} construction)"
+        lines.append(f"status      {judged.status} {met}")
         if judged.witness:
             lines.append(f"witness     {judged.witness}, {_worst(entry, judged)}")
             lines.append(f"shown by    {_command(entry, judged)}")

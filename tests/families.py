@@ -9,6 +9,8 @@ Families       regular_polygon, rectangle_with_two_midway_vertices, comb, spike_
 Random         random_simple_polygon (kinds in KINDS), grid_map, random_pslg
 Changes        scaled, translated, rotated, mirrored, reversed_orientation, with_start,
                with_collinear_vertices, big_coordinates
+Domains        nested_rings, polygon_with_holes, wheel, boxed_tree, random_segments, spike_with_ledges, thin_walls,
+               slits, walled_spiral
 Collections    ALL_SMALL, SMALL_PSLGS, issue_list
 """
 
@@ -22,6 +24,7 @@ from typing import TypeAlias
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
+from exactmesh.planar.faces import subdivide
 from exactmesh.planar.pslg import Edge, Pslg
 
 Number: TypeAlias = int | Fraction | mpq
@@ -755,3 +758,211 @@ def issue_list() -> dict[str, Pslg]:
                   f"{name}, started elsewhere": with_start(base, len(base.vertices) // 2),
                   f"{name}, collinear vertices": with_collinear_vertices(base, 1)}
     return _named(found)
+
+
+# --- domains and kinds: maps, rings, trees, walls ---
+
+
+def nested_rings(depth: int, seed: int = 0, marked: bool = False) -> Pslg:
+    """Return `depth` nested squares, turned at random, about 1 apart; when `marked` every second gap is a hole."""
+    source = random.Random(f"nested {depth} {seed}")
+    builder = _Builder()
+    for i in range(depth):
+        # A square of half diagonal h, slightly turned, lies between the circles of radius 0.7 h and 1.03 h.
+        half = mpq(100 * 160**i, 100**i)
+        turn = half * Fraction(source.randint(-200, 200), 1000)
+        builder.add([(half, turn), (-turn, half), (-half, -turn), (turn, -half)], _cycle(4))
+        if marked and i % 2:
+            builder.holes.append(_place((half, turn), (0, 0), mpq(96, 100)))
+    return builder.pslg(f"{depth} nested rings, seed {seed}")
+
+
+def polygon_with_holes(columns: int, rows: int, seed: int, marked: bool = True) -> Pslg:
+    """Return a rectangle with columns x rows star-shaped rings of 4 to 9 vertices in it, holes when `marked`."""
+    source = random.Random(f"holes {columns} {rows} {seed}")
+    builder = _Builder()
+    builder.add([(0, 0), (10 * columns, 0), (10 * columns, 10 * rows), (0, 10 * rows)], _cycle(4))
+    for column in range(columns):
+        for row in range(rows):
+            _ring_of(builder, (10 * column + 5, 10 * row + 5), Fraction(source.randint(5, 45), 10), source)
+            if marked:
+                builder.holes.append(_place((0, 0), (10 * column + 5, 10 * row + 5), 1))
+    return builder.pslg(f"{columns} x {rows} holes, seed {seed}")
+
+
+def wheel(spokes: int, rim: bool = True) -> Pslg:
+    """Return a vertex of degree `spokes`: joined to a rim, or with its spokes dangling in a square."""
+    builder = _Builder()
+    circle = _near_circle(spokes)
+    builder.add([(0, 0), *circle], [(0, i + 1) for i in range(spokes)], unit=10)
+    if rim:
+        builder.edges += [(u + 1, v + 1) for u, v in _cycle(spokes)]
+    else:
+        builder.add([(-15, -16), (17, -15), (15, 16), (-17, 15)], _cycle(4))
+    return builder.pslg(f"wheel of {spokes} spokes{'' if rim else ', no rim'}")
+
+
+def boxed_tree(columns: int, rows: int, seed: int) -> Pslg:
+    """Return a box with a random spanning tree of columns x rows moved grid points in it, hanging freely."""
+    source = random.Random(f"tree {columns} {rows} {seed}")
+    at = [(i + Fraction(source.randint(-240, 240), 1000), j + Fraction(source.randint(-240, 240), 1000))
+          for j in range(rows) for i in range(columns)]
+    steps = [(j * columns + i, j * columns + i + 1) for j in range(rows) for i in range(columns - 1)]
+    steps += [(j * columns + i, (j + 1) * columns + i) for j in range(rows - 1) for i in range(columns)]
+    source.shuffle(steps)
+    root = list(range(columns * rows))
+    tree: list[Edge] = []
+    for u, v in steps:
+        a, b = u, v
+        while root[a] != a:
+            a = root[a]
+        while root[b] != b:
+            b = root[b]
+        if a != b:
+            root[a] = b
+            tree.append((u, v))
+    builder = _Builder()
+    builder.add(at, tree)
+    builder.add([(-2, -2), (columns + 1, -2), (columns + 1, rows + 1), (-2, rows + 1)], _cycle(4))
+    return builder.pslg(f"tree of {columns} x {rows} vertices, seed {seed}")
+
+
+def random_segments(points: int, edges: int, seed: int, size: int = 0) -> Pslg:
+    """Return a box with random lattice points, joined by up to `edges` random edges that meet at most at ends.
+
+    Few edges leave most points isolated; many make a subdivision with edges at any angle. `size` is the side of the
+    lattice, 100 times the number of points when left out: a small one makes many points collinear.
+    """
+    source = random.Random(f"segments {points} {edges} {seed} {size}")
+    side = size or 100 * points
+    chosen: dict[Lattice, None] = {}
+    while len(chosen) < points:
+        chosen[source.randint(1, side - 1), source.randint(1, side - 1)] = None
+    at: list[Lattice] = [*chosen]
+    kept: list[Edge] = []
+    for _ in range(8 * edges):
+        if len(kept) == edges:
+            break
+        u = source.randrange(points)
+        near = sorted(range(points), key=lambda w, u=u: math.dist(at[u], at[w]))[1:12]  # type: ignore[misc]
+        v = source.choice(near)
+        if not any(_clash(at, (u, v), edge) for edge in kept) and not any(
+                w not in (u, v) and _is_between(at[w], at[u], at[v]) for w in range(points)):
+            kept.append((u, v))
+    builder = _Builder()
+    builder.add(at, kept)
+    builder.add([(0, 0), (side, 0), (side, side), (0, side)], _cycle(4))
+    return builder.pslg(f"{points} points, {edges} segments, seed {seed}")
+
+
+def _is_between(p: Lattice, a: Lattice, b: Lattice) -> bool:
+    return _turn(a, b, p) == 0 and min(a, b) <= p <= max(a, b)
+
+
+def _clash(at: Sequence[Lattice], e: Edge, f: Edge) -> bool:
+    """Return whether two edges are the same or cross; that no vertex lies on an edge is tested elsewhere."""
+    if set(e) & set(f):
+        return set(e) == set(f)
+    (a, b), (c, d) = ((at[u], at[v]) for u, v in (e, f))
+    return _turn(a, b, c) * _turn(a, b, d) < 0 and _turn(c, d, a) * _turn(c, d, b) < 0
+
+
+def spike_with_ledges(n: int, seed: int) -> Pslg:
+    """Return a long sharp spike over a floor with ledges: what step 4 of the repaired construction fears most.
+
+    The upper side is one edge of length 85 to 400 with a slope near 1e-3; the floor has n >= 1 vertices, some of them
+    in pairs 1 apart with a drop behind.
+    """
+    source = random.Random(f"ledges {n} {seed}")
+    length = source.randint(85, 400)
+    slope = Fraction(source.randint(5, 60), 10**4)
+    floor: list[Pair] = [(0, 0)]
+    x = Fraction(0)
+    drop = Fraction(0)
+    for _ in range(n):
+        x += Fraction(source.randint(100, 100 * max(2, length // n)), 100)
+        if x >= length - 2:
+            break
+        drop += Fraction(source.randint(0, 300), 10**4)
+        floor.append((x, -drop))
+        if source.random() < 0.6:
+            x += Fraction(source.randint(100, 130), 100)
+            floor.append((x, -drop - Fraction(source.randint(0, 20), 10**4)))
+            drop += Fraction(source.randint(100, 400), 100)
+            x += Fraction(source.randint(0, 100), 1000)
+            floor.append((x + Fraction(1, 100), -drop))
+    end = max(x + 2, Fraction(length))
+    return ring([*floor, (end, -drop - 1), (end, end * slope + 2)], f"spike with {n} ledges, seed {seed}")
+
+
+def thin_walls(pslg: Pslg, thickness: Number) -> Pslg:
+    """Return the bounded faces of a PSLG drawn apart: every edge becomes a wall of about this thickness.
+
+    Each corner of each face moves into its face by `thickness`, which must be far below the mfs; the walls are no part
+    of the domain, so no edge has it on both sides, and the new ifs is about the old mfs while the mfs is about
+    the thickness. Isolated vertices stay.
+    """
+    subdivision = subdivide(pslg)
+    if any(len(walk) == 2 for face in subdivision.faces for walk in face.inner):
+        # An edge that hangs freely has two corners only: a vertex in the middle makes its wall a quadrilateral.
+        pslg = with_collinear_vertices(pslg, 1)
+        subdivision = subdivide(pslg)
+    origin = subdivision.half_edges.origin
+    builder = _Builder()
+    builder.holes = list(pslg.holes)
+
+    def angle(h: int) -> float:
+        p, q = pslg.vertices[origin[h]], pslg.vertices[origin[h ^ 1]]
+        size = max(abs(q.x - p.x), abs(q.y - p.y))
+        return math.atan2(float((q.y - p.y) / size), float((q.x - p.x) / size))
+
+    for face in subdivision.faces[1:]:
+        for walk in face.walks:
+            corners: list[Pair] = []
+            for incoming, outgoing in zip((walk[-1], *walk[:-1]), walk, strict=True):
+                p = pslg.vertices[origin[outgoing]]
+                # The face lies counter-clockwise of the outgoing edge, up to the incoming one turned back.
+                opening = (angle(incoming ^ 1) - angle(outgoing)) % (2 * math.pi) or 2 * math.pi
+                middle = angle(outgoing) + opening / 2
+                corners.append((p.x + Fraction(round(math.cos(middle) * 1000), 1000) * mpq(thickness),
+                                p.y + Fraction(round(math.sin(middle) * 1000), 1000) * mpq(thickness)))
+            builder.add(corners, _cycle(len(corners)))
+        builder.add([pslg.vertices[v] for v in face.isolated], [])
+        builder.holes += [pslg.vertices[origin[walk[0]]] for walk in face.inner]
+    return builder.pslg(f"{pslg.name}, walls of {thickness}")
+
+
+def slits(count: int, seed: int, width: Number = Fraction(1, 10**6)) -> Pslg:
+    """Return a room with `count` thin wedges cut into it from below and from above in turn, tips in random places.
+
+    mfs is about `width`, ifs about 1 or less; with tips near a common level.
+    """
+    source = random.Random(f"slits {count} {seed}")
+    length, half = 3 * count + 3, mpq(width) / 2
+    bottom: list[Pair] = [(0, 0)]
+    top: list[Pair] = [(length, 6)]
+    tops: list[Pair] = []
+    for i in range(count):
+        x = 3 * i + 3 + Fraction(source.randint(-900, 900), 1000)
+        lean = Fraction(source.randint(-900, 900), 1000)
+        if i % 2:
+            tip = Fraction(source.choice((1000, 1500, 1501, 4000)), 1000)
+            tops += [(x - half, 6), (x + lean, tip), (x + half, 6)]
+        else:
+            tip = Fraction(source.choice((5000, 4500, 4499, 2000)), 1000)
+            bottom += [(x - half, 0), (x + lean, tip), (x + half, 0)]
+    return ring([*bottom, (length, 0), *top, *tops[::-1], (0, 6)], f"{count} slits of {width}, seed {seed}")
+
+
+def walled_spiral(turns: int, thickness: Number, per_turn: int = 16) -> Pslg:
+    """Return a corridor of width about 1 wound around itself with a wall of this thickness between the turns."""
+    directions = _near_circle(per_turn)
+    count = turns * per_turn
+    outer: list[Pair] = []
+    inner: list[Pair] = []
+    for i in range(count + 1):
+        x, y = directions[i % per_turn]
+        radius = 2 + Fraction(i, per_turn)
+        inner.append((x * radius, y * radius))
+        outer.append((x * (radius + 1 - mpq(thickness)), y * (radius + 1 - mpq(thickness))))
+    return ring([*outer, *inner[::-1]], f"walled spiral of {turns} turns")

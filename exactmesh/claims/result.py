@@ -25,7 +25,8 @@ def _paper_degradation(run: Run) -> Verdict:
 
 
 RESULT_CLAIMS: tuple[Claim, ...] = (
-    Claim("section-1.classic-triangulation", "section 1", "a classic triangulation adds no vertex and tiles the polygon",
+    Claim("section-1.classic-triangulation", "section 1",
+          "a classic triangulation tiles the polygon and adds no vertex",
           (), "", "truth", ("classic",), _valid, kinds=("classic",)),
     Claim("theorem-1.triangulation", "Theorem 1", "the mesh is a triangulation that leaves the boundary whole",
           ("P is a simple polygon",), "", "truth", _RUNS, _valid, kinds=("nonproper",)),
@@ -39,5 +40,6 @@ RESULT_CLAIMS: tuple[Claim, ...] = (
     Claim("theorem-2.triangulation", "Theorem 2", "the mesh is a proper triangulation that leaves the boundary whole",
           (), "", "truth", ("repaired",), _valid, kinds=("proper",)),
     Claim("theorem-3.triangulation", "Theorem 3", "a proper triangulation with vertices on the boundary",
-          ("no edge of the input has the domain on both sides",), "", "truth", ("repaired",), _valid, kinds=("internal",)),
+          ("no edge of the input has the domain on both sides",), "", "truth", ("repaired",), _valid,
+          kinds=("internal",)),
 )

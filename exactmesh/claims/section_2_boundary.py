@@ -151,7 +151,8 @@ _SECTION_2_P3 = (
           ">= 1/2 mfs", "square", check=_on_curve(offset_curve_check.check_through_interior),
           corrected="true with at least four vertices as long as no arc is prolonged; afterwards 1 - sqrt(2)/2, and "
                     "1/4 in triangles",
-          repair="the octagon's radius is at most 0.42466, which leaves a separation of 0.0599 by arithmetic",
+          repair="the repaired construction asks for a separation of 0.0599 only, 1 less twice its reach, and "
+                 "checks it on every run",
           witness="facing-wedges"),
     Claim("section-2.extension-distance-from-p", _P3, "a prolonged segment stays farther than 1/4 from P",
           (*_POLYGON, "beyond the end of its arc, where the distance is 1/4"),
@@ -181,7 +182,7 @@ _SECTION_2_P4 = (
 
 _LOSS = ("the loss is bounded and confined to triangles at a corner, which get no vertex: mfs(P5) > 0.7628 of the "
          "spacing, > 0.8086 with at least four vertices")
-_LOSS_REPAIR = "the caps of the octagon leave no chord end within a level of a corner"
+_LOSS_REPAIR = "the repaired construction asks g/5 of every face, not the spacing g, and checks it on every run"
 
 _SECTION_2_P5 = (
     Claim("section-2.p5-grid", _INTERIOR, "all vertices of P5 lie on the grid", _POLYGON, check=_p5_grid),

@@ -12,11 +12,11 @@ from typing import Literal
 from exactmesh.claims.claim import Claim
 from exactmesh.claims.ledger import CLAIMS
 from exactmesh.claims.run import ConstructionName, Run
-from exactmesh.planar.mesh import Kind
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.verdict import Verdict
+from exactmesh.planar.mesh import Kind
 
 Known = Literal["proved", "holds", "refuted", "open"]
 

@@ -64,7 +64,7 @@ def flip(apex: MutableMapping[Side, int], constrained: AbstractSet[Side],
     `apex` is changed and `pending` used up. Return the constrained sides that have got another triangle; None when
     `limit` flips do not suffice, with the triangulation as it is by then.
     """
-    met = []
+    met: list[Side] = []
     flips = 0
     while pending:
         side = pending.pop()

@@ -1,7 +1,9 @@
 """The in-circle predicate: the sign from the circle's centre, and the path that decided."""
 
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import permutations, product
+from typing import Any
 
 import oracle
 import pytest
@@ -31,6 +33,13 @@ def by_centre(a: Point, b: Point, c: Point, d: Point) -> int:
     x, y = (vy * u - uy * v) / area, (ux * v - vx * u) / area
     gap = x * x + y * y - (dx - ax - x) ** 2 - (dy - ay - y) ** 2
     return ((gap > 0) - (gap < 0)) * (1 if area > 0 else -1)
+
+
+def lifted(p: Sequence[Any], q: Sequence[Any], r: Sequence[Any]) -> Any:
+    """Return the polynomial of the predicate in the order in which it is evaluated, on any numbers."""
+    (ax, ay), (bx, by), (cx, cy) = p, q, r
+    return ((ax * ax + ay * ay) * (bx * cy - by * cx) + (bx * bx + by * by) * (cx * ay - cy * ax)
+            + (cx * cx + cy * cy) * (ax * by - ay * bx))
 
 
 def rationals() -> st.SearchStrategy[mpq]:
@@ -115,13 +124,11 @@ def test_the_bound_covers_the_error_of_the_rounded_polynomial() -> None:
             xs, ys, scale = unit_floats(corners + near)
             x, y = xs[2:], ys[2:]
             d = [(x[i] - x[3], y[i] - y[3]) for i in range(3)]
-            value = sum((px * px + py * py) * (qx * ry - qy * rx) for (px, py), (qx, qy), (rx, ry) in (
-                (d[0], d[1], d[2]), (d[1], d[2], d[0]), (d[2], d[0], d[1])))
+            value = mpq(lifted(*d))
             exact = [(p.x - near[3].x, p.y - near[3].y) for p in near[:3]]
-            truth = sum(((px * px + py * py) * (qx * ry - qy * rx) for (px, py), (qx, qy), (rx, ry) in (
-                (exact[0], exact[1], exact[2]), (exact[1], exact[2], exact[0]), (exact[2], exact[0], exact[1]))), mpq(0))
+            truth = lifted(*exact)
             spread = mpq(sum(abs(px) + abs(py) for px, py in d))
-            ratio = abs(mpq(value) - truth / scale**4) / spread**3 * 2**49
+            ratio = abs(value - truth / scale**4) / spread**3 * 2**49
             assert ratio < mpq(7, 10)
             worst = max(worst, ratio)
     assert worst > mpq(1, 10**4)

@@ -1,4 +1,4 @@
-"""Least distances between algebraic places: by hand, against the rational oracle and against a second sign procedure."""
+"""Least distances between algebraic places: by hand, against the rational oracle and a second sign procedure."""
 
 from fractions import Fraction
 
@@ -78,8 +78,8 @@ def test_labels_leave_out_exactly_the_pairs_that_share_one(pslg, modulus, data):
     edge_labels = [(labels[u], labels[v]) for u, v in edges]
     group = Labelled(range(len(points)), labels, edges, edge_labels)
     found = least_between([real_place(p) for p in points], [group])
-    pairs = [oracle_distance(points, v, e) for v in range(len(points)) for e, pair in zip(edges, edge_labels, strict=True)
-             if labels[v] not in pair]
+    pairs = [oracle_distance(points, v, e) for v in range(len(points))
+             for e, pair in zip(edges, edge_labels, strict=True) if labels[v] not in pair]
     if pairs:
         assert found is not None and found.squared == min(pairs)
     else:

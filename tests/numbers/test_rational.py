@@ -107,7 +107,7 @@ class TestReading:
 
 
 class TestForReaders:
-    
+
     @few
     @given(rationals(), st.integers(1, 30))
     @example(mpq(999999, 10), 6)
@@ -118,7 +118,7 @@ class TestForReaders:
     def test_decimal_text_is_rounded_half_up(self, q: mpq, digits: int) -> None:
         assert Decimal(decimal_text(q, digits)) == rounded(decimal_of(q), digits)
 
-    
+
     @few
     @given(rationals(), st.integers(1, 30))
     @example(mpq(457412, 7), 1)

@@ -1,9 +1,9 @@
 """The bounding box: the outside becomes a face, and nothing else changes."""
 
+import families
 import pytest
 from gmpy2 import mpq
 
-import families
 from exactmesh import InputError, Pslg, mesh, polygon, verify
 from exactmesh.planar.bounding_box import with_bounding_box
 from exactmesh.planar.faces import domain_of

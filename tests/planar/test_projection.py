@@ -1,4 +1,4 @@
-"""Cutting edges below vertices: still a Delaunay triangulation of the same domain, with every cut exactly on its edge."""
+"""Cutting edges below vertices: still a Delaunay triangulation of the same domain, every cut exactly on its edge."""
 
 from fractions import Fraction
 from itertools import pairwise

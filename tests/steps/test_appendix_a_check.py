@@ -60,7 +60,8 @@ def test_what_is_true_of_four_vertices_or_more_holds(pslg):
     (check.check_sine, RHOMBUS, mpq(1, 4), 4, False),
     (check.check_sine, SQUARE, None, 0, True),
     (check.check_formula, RHOMBUS, mpq(1), 4, True),
-    (check.check_formula, T_13_14_15, None, 0, True),
+    (check.check_formula, TRAPEZOID, mpq(1), 2, True),
+    (check.check_formula, families.ring([(0, 0), (3, 0), (0, 4)]), None, 0, True),
     (check.check_quarter_circle, TRAPEZOID, mpq(44849809, 46785600), 4, False),
     (check.check_quarter_circle, T_13_14_15, mpq(0), 6, False),
 ])
@@ -136,7 +137,8 @@ def nudged(vertex, dx, dy):
     def change(shape, corner):
         if shape.origin[corner.corner] != vertex:
             return corner
-        return replace(corner, vertices=tuple(map(move, corner.vertices)), arc=corner.arc and tuple(map(move, corner.arc)))
+        arc = corner.arc and tuple(map(move, corner.arc))
+        return replace(corner, vertices=tuple(map(move, corner.vertices)), arc=arc)
 
     return lambda shape, curve: (shape, replace(curve, rings=tuple(tuple(change(shape, c) for c in ring)
                                                                    for ring in curve.rings)))
@@ -169,3 +171,10 @@ def test_j_y_is_open():
     # In a rhombus y is a corner, and the side opposite to u passes it at distance mfs exactly.
     verdict = check.check_quarter_circle(*made(families.ring([(0, 0), (5, 0), (9, 3), (4, 3)])))
     assert verdict.holds and verdict.instances > 0 and verdict.worst == 1
+
+
+def test_an_edge_may_start_at_y():
+    # u ends at depth mfs exactly, and the edge beyond turns away from e.
+    shape, curve = made(families.ring([(0, 0), (6, 0), (11, 4), (7, 9), (3, 4)]))
+    assert curve.mfs_squared == 16
+    assert check.check_quarter_circle(shape, curve).holds

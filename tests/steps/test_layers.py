@@ -2,11 +2,12 @@
 
 import random
 from fractions import Fraction
+from itertools import pairwise
 
+import families
 import pytest
 from gmpy2 import mpq
 
-import families
 from exactmesh import mesh, verify
 from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import corners_of, face_feature_squared
@@ -50,7 +51,7 @@ def test_rows_halve():
     for candidate in layered_candidates(frame_of(t_side, a, b)):
         heights = [p.y for p in candidate.steiner]
         sizes = [heights.count(y) for y in sorted(set(heights))]
-        assert sizes[-1] == 1 and all(2 * after in (before, before + 1) for before, after in zip(sizes, sizes[1:]))
+        assert sizes[-1] == 1 and all(2 * after in (before, before + 1) for before, after in pairwise(sizes))
 
 
 @pytest.mark.parametrize("name", sorted(families.ALL_SMALL | families.SMALL_PSLGS))

@@ -19,7 +19,7 @@ from exactmesh.steps.records import RealPoint
 few = settings(max_examples=20, deadline=None, derandomize=True)
 polygons = st.builds(families.random_simple_polygon, st.integers(4, 12), st.integers(0, 10**6),
                      st.sampled_from(sorted(families.KINDS)))
-EVERY = families.ring([(0, 0), (6, 0), (12, 0), (12, 8), (9, 8), (8, 3), (7, 8), (4, 7), (0, 8)], "every kind of corner")
+EVERY = families.ring([(0, 0), (6, 0), (12, 0), (12, 8), (9, 8), (8, 3), (7, 8), (4, 7), (0, 8)])
 QUARTER = mpq(1, 4)
 
 
@@ -97,7 +97,8 @@ def test_vertices_of_p3_solve_their_equations_by_a_second_sign_procedure(pslg):
             w = half_edges.origin[corner.corner ^ 1]
             edges = [(points[v].x - points[u].x, points[v].y - points[u].y),
                      (points[w].x - points[v].x, points[w].y - points[v].y)]
-            places = [[(c - o).fold(Expr, Expr.sqrt) for c, o in zip(p, points[v], strict=True)] for p in corner.vertices]
+            places = [[(c - o).fold(Expr, Expr.sqrt) for c, o in zip(p, points[v], strict=True)]
+                      for p in corner.vertices]
             on_both = [places[0], places[-1]]
             for (dx, dy), (x, y) in zip(edges, on_both, strict=True):
                 area = dx * y - dy * x

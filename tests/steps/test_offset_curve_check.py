@@ -118,6 +118,12 @@ def on_square(pslg, mfs_squared):
                                  offset_curve(found, mpq(mfs_squared)))
 
 
+def _along(corner, dx, dy):
+    """Return the place at the radius of the arc about (8, 3), in a direction of length 5."""
+    radius = 3 - corner.vertices[1].y
+    return RealPoint(8 + dx * radius / 5, 3 + dy * radius / 5)
+
+
 TIP = families.ring([(0, 0), (20, 0), (20, 10), (14, 10), (10, 1), (6, 10), (0, 10)])
 WHOLE = check.check_single_curve
 REFINED = check.check_refinement
@@ -129,6 +135,7 @@ REFINED = check.check_refinement
     (WHOLE, at(CHORDS, with_arc(lambda arc: None)), "arcs are at the reflex corners"),
     (WHOLE, at(CONVEX, lambda c: replace(c, arc=c.vertices * 2)), "arcs are at the reflex corners"),
     (WHOLE, at(CONVEX, nudged(HAIR, 0)), "a segment is mfs/4 inside its edge"),
+    (WHOLE, at(CONVEX, nudged(0, HAIR)), "a segment is mfs/4 inside its edge"),
     (WHOLE, at(CONVEX, lambda c: replace(c, vertices=(RealPoint(-c.vertices[0].x, -c.vertices[0].y),))),
      "a segment is mfs/4 inside its edge"),
     (WHOLE, at(FLAT, nudged(HAIR, 0)), "an arc goes from one perpendicular to the other"),
@@ -148,6 +155,9 @@ REFINED = check.check_refinement
     (REFINED, at(CHORDS, nudged(HAIR, 0)), "chords go from one end of the arc to the other"),
     (REFINED, at(CHORDS, lambda c: replace(c, vertices=c.vertices[::2])),
      "chords go from one end of the arc to the other"),
+    (REFINED, at(CHORDS, nudged(0, HAIR, 1)), "two chords meet in the middle of the arc"),
+    (REFINED, at(CHORDS, lambda c: replace(c, vertices=(c.vertices[0], _along(c, 3, -4), c.vertices[2]))),
+     "two chords meet in the middle of the arc"),
     (REFINED, at(CHORDS, nudged(HAIR, 0, 1)), "two chords meet in the middle of the arc"),
     (REFINED, at(CHORDS, lambda c: replace(c, vertices=(c.vertices[0], RealPoint(16 - c.vertices[1].x,
                                                                               6 - c.vertices[1].y), c.vertices[2]))),
@@ -161,6 +171,10 @@ REFINED = check.check_refinement
     (check.check_through_interior, at(CHORDS, nudged(0, -mpq(5, 2), 1)), "1/2 apart"),
     (check.check_extension_from_p, at(PROLONGED, lambda c: replace(c, vertices=(c.arc[0],))),
      "a prolonged segment stays beyond mfs/4"),
+    (check.check_extension_from_p, at(PROLONGED, with_arc(lambda arc: (RealPoint(Real(mpq(1, 5)), arc[0].y), arc[1]))),
+     "a prolonged segment stays beyond mfs/4"),
+    (check.check_extension_from_p, at(PROLONGED, with_arc(lambda arc: (arc[0], RealPoint(Real(9), Real(2))))),
+     "a prolonged segment stays beyond mfs/4"),
     (check.check_extension_from_vertex, at(PROLONGED, nudged(0, -1)),
      "a prolonged segment stays within sqrt(2)/4 of its corner"),
 ])
@@ -169,6 +183,21 @@ def test_the_checker_refuses_a_harmed_result(one, harm, clause):
     assert one(*good).holds
     verdict = one(*harm(*good))
     assert not verdict.holds and verdict.witness is not None and verdict.witness.clause == clause
+
+
+def test_the_least_distance_may_be_that_of_a_vertex_of_p():
+    # The tip (10, 1) above the floor, whose segment is at 3/4 when the mfs is said to be 3.
+    verdict = check.check_single_curve(*on_square(TIP, 9)(None, None))
+    assert verdict.worst == mpq(1, 4) ** 2 / 9
+
+
+def test_half_a_circle_spans_180_degrees():
+    shape, curve = made(EVERY)
+    arc = next(c.arc for c in curve.rings[0] if c.kind == "chords")
+    assert check.check_arcs(shape, curve).holds and arc is not None
+    opposite = RealPoint(16 - arc[0].x, 6 - arc[0].y)
+    verdict = check.check_arcs(*at(CHORDS, with_arc(lambda _: (arc[0], opposite)))(shape, curve))
+    assert not verdict.holds
 
 
 def test_a_prolonged_segment_that_goes_nowhere_is_at_the_bound_exactly():

@@ -162,9 +162,22 @@ def test_the_paper_leaves_no_room_for_x():
     assert verdict.worst == spacing**2 / 4 + mpq(1, 2**34)
 
 
+def test_bounds_are_sharp():
+    # The lower left vertex of P4 goes as near to the left side, or the lower right one to it, as the bound allows.
+    made = paper(families.ring([(0, 0), (1, 0), (1, 1), (0, 1)]))
+    tube = 1 / (4 * sqrt(2)) - OCTAGON / 4
+    hair = mpq(1, 2**200)
+    for name, bound, place in (("tube", tube, lambda d: moved(made.p4, 0, d - made.p4.x[0])),
+                               ("regions", OCTAGON / 2, lambda d: moved(made.p4, 0, d - made.p4.x[0])),
+                               ("feature", OCTAGON / 2, lambda d: moved(made.p4, 1, made.p4.x[0] + d - made.p4.x[1]))):
+        low, high = bound.enclosure(220)
+        assert not verdicts(made, place(low - hair))[name].holds
+        assert verdicts(made, place(high + hair))[name].holds
+
+
 def test_lemma_2_says_nothing_when_vertices_move_by_half_the_mfs():
     made = paper(L)
-    verdict = check.check_perturbation(made.curve, moved(made.p4, 0, mpq(1, 5)))
+    verdict = check.check_perturbation(made.curve, moved(made.p4, 0, mpq(1, 9)))
     assert verdict.holds and verdict.instances == 0
 
 
@@ -190,7 +203,7 @@ def test_a_drawing_that_crosses_itself_is_no_drawing_of_a_polygon():
 
 def test_the_bounds_are_those_of_the_reading():
     tube = READINGS["tube"].inverse_d3
-    assert tube == 1 / (4 * sqrt(2)) and OCTAGON == (2 - sqrt(2)).sqrt() / 4
+    assert tube == 1 / (4 * sqrt(2)) and (2 - sqrt(2)).sqrt() / 4 == OCTAGON
     # With the octagon's grid the tube's reading is broken: its 1/(2 d3) is smaller.
     made = paper(L)
     verdict = check.check_motion(made.curve, made.p4, tube)
