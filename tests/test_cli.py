@@ -490,7 +490,7 @@ def test_a_reader_that_has_gone_ends_the_command_quietly(run: Run, monkeypatch: 
     def gone(args: Any) -> int:
         raise BrokenPipeError
 
-    monkeypatch.setattr(cli, "_mfs", gone)
+    monkeypatch.setattr(cli, "_size", gone)
     assert run("mfs", "-") == (1, "", "")
 
 

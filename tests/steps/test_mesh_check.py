@@ -12,6 +12,7 @@ from exactmesh.measure.validity import Violation
 from exactmesh.steps import mesh_check
 from exactmesh.steps.mesh_check import (
     check_design_degradation,
+    check_internal_degradation,
     check_paper_degradation,
     check_paper_feature,
     check_proper_degradation,
@@ -110,7 +111,17 @@ def test_an_invalid_proper_mesh_has_no_degradation(corners):
     assert check_proper_degradation(invalid(), corners).witness.clause == "the mesh is valid"
 
 
+@pytest.mark.parametrize("squared, holds", [(mpq(45) ** 2, False), (mpq(45) ** 2 - TINY, True), (mpq(1), True)])
+def test_the_bound_of_internal_meshes_is_strict(squared, holds):
+    internal = replace(GOOD, kind="internal", input_ifs=Nearest(mpq(1), 0, (1, 2)),
+                       mesh_ifs=Nearest(1 / squared, 4, (5, 6)))
+    verdict = check_internal_degradation(internal)
+    assert verdict.holds == holds and verdict.worst == squared and verdict.witness.clause == "ifs degradation < 45"
+    assert verdict.witness.place == {"vertex": 4, "edge": [5, 6]}
+    assert not check_internal_degradation(GOOD).holds
+
+
 def test_every_clause_is_tested_above():
     assert clauses_of(mesh_check) == {
         "degradation < 45", "degradation <= 21.6", "degradation <= max(21.6, 9 (1 + log2 n))",
-        "mfs >= 0.022 mfs(P)", "Steiner vertices <= {} a corner", "the mesh is valid"}
+        "ifs degradation < 45", "mfs >= 0.022 mfs(P)", "Steiner vertices <= {} a corner", "the mesh is valid"}
