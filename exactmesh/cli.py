@@ -35,8 +35,8 @@ from exactmesh.planar.mesh import KINDS
 from exactmesh.progress import Progress
 from exactmesh.report_ledger import bounds_json, bounds_text, entry_text, ledger_json, ledger_text
 from exactmesh.reproduce.growth import laws
-from exactmesh.reproduce.table1 import MADE, Made
-from exactmesh.reproduce.table1 import rows as table1_rows
+from exactmesh.reproduce.spread import spread_json, spread_rows, spread_text
+from exactmesh.reproduce.table1 import MADE, Made, table1_rows
 from exactmesh.reproduce.text import table1_csv, table1_json, table1_svg, table1_text
 
 HOLDS, FAILS, REFUSED, INTERRUPTED = 0, 1, 2, 130
@@ -131,9 +131,10 @@ def _parser() -> argparse.ArgumentParser:
     command.set_defaults(run=_claims)
 
     command = commands.add_parser("reproduce", help="tables of the paper, recomputed")
-    command.add_argument("what", choices=("bounds", "table1"),
-                         help="bounds: the paper's numbers beside their exact values; table1: the paper's Table 1, "
-                         "exact degradations of all kinds of meshes on families of inputs")
+    command.add_argument("what", choices=("bounds", "spread", "table1"),
+                         help="bounds: the paper's numbers beside their exact values; spread: how the degradation of "
+                         "both constructions grows with the length of a room; table1: the paper's Table 1, exact "
+                         "degradations of all kinds of meshes on families of inputs")
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.add_argument("-o", "--output", metavar="DIR", help="table1: also write table1.txt, .csv and .svg there")
     command.add_argument("--short", action="store_true", help="table1: inputs of up to some 500 vertices")
@@ -155,7 +156,8 @@ def _make_folder(path: str) -> None:
     try:
         os.makedirs(path, exist_ok=True)
     except (OSError, ValueError) as error:
-        raise InputError(f"{printable(path)}: no folder can be made: {getattr(error, 'strerror', None) or error}") from error
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"{printable(path)}: no folder can be made: {reason}") from error
 
 
 def _add_quiet(command: argparse.ArgumentParser) -> None:
@@ -287,6 +289,11 @@ def _reproduce(args: argparse.Namespace) -> int:
         return _reproduce_table1(args)
     if args.output or args.short or args.kinds:
         raise InputError("-o, --short and --kinds are for table1")
+    if args.what == "spread":
+        with Progress(args.quiet) as progress:
+            rooms = list(spread_rows(progress))
+        print(spread_json(rooms) if args.json else spread_text(rooms))
+        return HOLDS
     rows = list(bounds())
     print(bounds_json(rows) if args.json else bounds_text(rows))
     return HOLDS

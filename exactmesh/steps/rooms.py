@@ -108,8 +108,7 @@ class _Trimming:
                 yield below, starts[BOTTOM][v], v
 
     def _trim(self, below: Room, above: Room, corner: int) -> None:
-        legs = [(TRIM / abs(self._slope(leg)), room, t, leg) for room, t in ((below, BOTTOM), (above, TOP))
-                if (leg := self._leg_along(room, t, corner)) is not None]
+        legs = self._legs_beside(below, above, corner, 0)
         if not legs:
             return
         # Where both legs run on beside the chord the sliver over the shallower one joins the room of the other.
@@ -127,9 +126,11 @@ class _Trimming:
         other.insert(t, place, foot)
         other.along[t][place : place + 2] = [leg, STEP]
 
-    def _leg_along(self, room: Room, t: int, corner: int) -> int | None:
-        """Return the edge of Q of the room's leg at the corner when it runs on below (t = -1) or above the chord."""
-        return room.along[t][0] if room.chain[t][0] == corner and room.along[t][0] >= 0 else None
+    def _legs_beside(self, below: Room, above: Room, v: int, end: int) -> list[tuple[mpq, Room, int, int]]:
+        """Return the legs that run on below (t = -1) or above the chord from its vertex v, the first (end = 0) or last
+        (end = -1) one of the rooms: the reach of the sliver between leg and chord, the leg's room, t, its edge of Q."""
+        return [(TRIM / abs(self._slope(room.along[t][end])), room, t, room.along[t][end])
+                for room, t in ((below, BOTTOM), (above, TOP)) if room.chain[t][end] == v and room.along[t][end] >= 0]
 
     def _slope(self, edge: int) -> mpq:
         a, b = self._ends(edge)
@@ -139,19 +140,22 @@ class _Trimming:
         return self.offset.points[edge], self.offset.points[self.following[edge]]
 
     def _end_of_chord(self, below: Room, above: Room, corner: int, reach: mpq) -> int | None:
-        """Return the vertex at which the trimmed chord ends: the next one of the chord when it is near, or a new one.
+        """Return the vertex at which the trimmed chord ends: a new one, or the next one of the chord when that is near.
 
-        None when the chord is too short.
+        In the latter case nothing is left of this piece of the chord. Where slivers from both ends do not fit, the
+        longer one that ends within the piece takes it all: two legs on either side of a piece are `SEPARATION` apart,
+        so that one between them would leave a vertex near the other leg (a strip 8 vertices long had degradation 65).
+        None when the piece is left to its other end.
         """
-        chains = (below.chain[TOP], above.chain[BOTTOM])
-        following = [chain[chain.index(corner) + 1] for chain in chains]
-        start = self.mesh.points[corner]
-        room_left = min(abs(self.mesh.points[v].x - start.x) for v in following)
-        if room_left > reach + MERGE:
+        following = below.chain[TOP][below.chain[TOP].index(corner) + 1]
+        length = abs(self.mesh.points[following].x - self.mesh.points[corner].x)
+        opposite = max((leg[0] for leg in self._legs_beside(below, above, following, -1)), default=mpq(0))
+        if opposite <= MERGE:
+            opposite = mpq(0)
+        if length > reach + opposite + MERGE:
+            start = self.mesh.points[corner]
             return self.mesh.add(Point(start.x + self.sign * reach, start.y))
-        far_ends = (below.z.tr, above.z.br) if self.sign > 0 else (below.z.tl, above.z.bl)
-        is_last = any(v in far_ends for v in following)
-        return following[0] if room_left >= reach and following[0] == following[1] and not is_last else None
+        return following if length >= reach and not reach < opposite <= length else None
 
     def _foot(self, edge: int, k: int) -> int:
         a, _ = self._ends(edge)

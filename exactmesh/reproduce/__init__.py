@@ -1,0 +1,1 @@
+"""Tables of the paper, recomputed: inputs, rows, exact checks, fits, and how they are shown."""
