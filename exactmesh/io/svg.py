@@ -16,12 +16,14 @@ _MARGIN = 20.0
 _STYLE = """
 svg { background: #fff; font: 14px sans-serif }
 path { fill: none; stroke-linejoin: round; stroke-linecap: round; vector-effect: non-scaling-stroke }
-.faces { fill: #eef3fa; stroke: #6b8cb5; stroke-width: .6 }
+.faces { fill: #eef3fa; stroke: #6b8cb5; stroke-width: STROKE }
 .input { stroke: #14202e; stroke-width: 1.6 }
 .witness { stroke: #c8102e; stroke-width: 3 }
 .given { fill: #14202e } .steiner { fill: #1f6fd6 } .near { fill: #c8102e }
 """
 _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+# Lines of a mesh of more faces than this are drawn thinner, so that they do not fill the picture.
+_FACES_AT_FULL_STROKE = 500
 # Above this many vertices dots would hide the edges.
 _DOTS = 2000
 
@@ -39,7 +41,7 @@ def svg_from_mesh(pslg: Pslg, mesh: Mesh, verification: Verification) -> str:
     edges = {(min(side), max(side)) for cycle in mesh.faces for side in sides(cycle)}
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.2f} {height + 30:.2f}">',
-        f"<title>{_title(pslg, verification)}</title><style>{_STYLE}</style>",
+        f"<title>{_title(pslg, verification)}</title><style>{_STYLE.replace('STROKE', _stroke(len(mesh.faces)))}</style>",
         f'<path class="faces" d="{_polygons(places, mesh.faces)}"/>',
         f'<path class="faces" d="{_lines(places, sorted(edges))}"/>',
         f'<path class="input" d="{_lines(places, pslg.edges)}"/>',
@@ -52,6 +54,10 @@ def svg_from_mesh(pslg: Pslg, mesh: Mesh, verification: Verification) -> str:
             parts += _witness(places, nearest)
     parts += [f'<text x="{_MARGIN}" y="{height + 18:.2f}">{_title(pslg, verification)}</text>', "</svg>", ""]
     return "\n".join(parts)
+
+
+def _stroke(faces: int) -> str:
+    return f"{0.6 * min(1.0, (_FACES_AT_FULL_STROKE / max(faces, 1)) ** 0.5):.3f}"
 
 
 def _title(pslg: Pslg, verification: Verification) -> str:
@@ -85,5 +91,7 @@ def _witness(places: list[tuple[float, float]], nearest: Nearest) -> list[str]:
     t = ((px - ax) * (bx - ax) + (py - ay) * (by - ay)) / length_squared if length_squared else 0.0
     t = min(1.0, max(0.0, t))
     foot = (ax + t * (bx - ax), ay + t * (by - ay))
-    label = f'<text x="{px + 6:.2f}" y="{py - 6:.2f}">{sqrt_text(nearest.squared, 6)}</text>'
+    # A label near the right border is set to the left of its vertex.
+    x, anchor = (px - 6, "end") if px > 0.85 * _SIZE else (px + 6, "start")
+    label = f'<text x="{x:.2f}" y="{py - 6:.2f}" text-anchor="{anchor}">{sqrt_text(nearest.squared, 6)}</text>'
     return [f'<path class="witness" d="M{_pair((px, py))}L{_pair(foot)}"/>', _dot((px, py), "near", 4.0), label]
