@@ -33,6 +33,8 @@ from exactmesh.paper import PAPER_CHOICES, paper_options
 from exactmesh.planar.bounding_box import with_bounding_box
 from exactmesh.planar.mesh import KINDS
 from exactmesh.progress import Progress
+from exactmesh.proofs.prove import prove, summaries
+from exactmesh.proofs.report import contradiction, proofs_json, summary_text
 from exactmesh.report_ledger import bounds_json, bounds_text, entry_text, ledger_json, ledger_text
 from exactmesh.reproduce.growth import laws
 from exactmesh.reproduce.spread import spread_json, spread_rows, spread_text
@@ -142,6 +144,14 @@ def _parser() -> argparse.ArgumentParser:
     _add_quiet(command)
     command.set_defaults(run=_reproduce)
 
+    command = commands.add_parser("prove", help="run the proofs of claims for all inputs, or re-check certificates only")
+    command.add_argument("id", metavar="ID", nargs="*", help="a claim, a problem, or a file of them; none: all")
+    command.add_argument("--fast", action="store_true", help="certificates only, by rational arithmetic")
+    command.add_argument("--seconds", type=float, default=30, help="what z3 and cvc5 get for a problem (default: 30)")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    _add_quiet(command)
+    command.set_defaults(run=_prove)
+
     command = commands.add_parser("examples", help="list the real outlines that come along, or write one")
     command.add_argument("name", metavar="NAME", nargs="?")
     command.add_argument("-o", "--output", metavar="OUT", default="-", help="where to write it (default: -)")
@@ -212,6 +222,8 @@ def _size(args: argparse.Namespace) -> int:
 
 def _mesh(args: argparse.Namespace) -> int:
     outputs = [path for path in (args.output, args.report, args.svg) if path]
+    if "" in (args.output, args.report, args.svg):
+        raise InputError("the name of an output file is empty")
     if len(set(outputs)) < len(outputs):
         raise InputError("two results cannot go to one place: give each its own file")
     if args.optimal and args.kind != "classic":
@@ -314,6 +326,13 @@ def _reproduce_table1(args: argparse.Namespace) -> int:
     if failures:
         print("\n".join(failures), file=sys.stderr)
     return FAILS if failures else HOLDS
+
+
+def _prove(args: argparse.Namespace) -> int:
+    with Progress(args.quiet) as progress:
+        results = list(prove(args.id, args.fast, args.seconds, progress))
+    print(proofs_json(results) if args.json else summary_text(summaries(results), results))
+    return FAILS if contradiction(results) else HOLDS
 
 
 def _examples(args: argparse.Namespace) -> int:

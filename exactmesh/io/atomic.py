@@ -24,6 +24,9 @@ def write_text(path: str, text: str) -> None:
     name = "standard output" if path == "-" else printable(path)
     try:
         if path == "-":
+            # Python has no stream there when the shell closed it.
+            if sys.stdout is None:
+                raise InputError(f"{name}: is closed")
             sys.stdout.write(text)
             sys.stdout.flush()
         elif os.path.exists(path) and not os.path.isfile(path):

@@ -122,6 +122,9 @@ def _bytes(path: str) -> bytes:
     """Return the bytes of a file; raises `InputError` without the path."""
     try:
         if path == "-":
+            # Python has no stream there when the shell closed it.
+            if sys.stdin is None:
+                raise InputError("standard input is closed")
             return sys.stdin.buffer.read()
         with open(path, "rb") as file:
             return file.read()

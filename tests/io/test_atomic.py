@@ -119,3 +119,9 @@ def test_a_closed_standard_output(monkeypatch):
     monkeypatch.setattr(sys, "stdout", Closed())
     with pytest.raises(InputError, match="standard output: cannot be written: Broken pipe"):
         write_text("-", "x")
+
+
+def test_a_closed_standard_output_is_said(monkeypatch):
+    monkeypatch.setattr("sys.stdout", None)
+    with pytest.raises(InputError, match="standard output: is closed"):
+        write_text("-", "text")

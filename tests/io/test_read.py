@@ -218,3 +218,9 @@ def test_json_of_a_value_with_both_keys_is_what_format_says(file):
     value = json.loads(TEXTS["pslg"]) | {"type": "Polygon"}
     with pytest.raises(FormatError, match="unknown key 'type'"):
         read_pslg(file(json.dumps(value)))
+
+
+def test_a_closed_standard_input_is_said(monkeypatch):
+    monkeypatch.setattr("sys.stdin", None)
+    with pytest.raises(InputError, match="standard input is closed"):
+        read_pslg("-")
