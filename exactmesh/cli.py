@@ -144,7 +144,7 @@ def _parser() -> argparse.ArgumentParser:
     _add_quiet(command)
     command.set_defaults(run=_reproduce)
 
-    command = commands.add_parser("prove", help="run the proofs of claims for all inputs, or re-check certificates only")
+    command = commands.add_parser("prove", help="run the proofs for all inputs, or re-check their certificates")
     command.add_argument("id", metavar="ID", nargs="*", help="a claim, a problem, or a file of them; none: all")
     command.add_argument("--fast", action="store_true", help="certificates only, by rational arithmetic")
     command.add_argument("--seconds", type=float, default=30, help="what z3 and cvc5 get for a problem (default: 30)")
@@ -184,8 +184,8 @@ def _add_construction(command: argparse.ArgumentParser, default: str | None) -> 
 
 def _add_box(command: argparse.ArgumentParser) -> None:
     command.add_argument("--bounding-box", metavar="MARGIN",
-                         help="put the input into an upright rectangle this far away on every side: the outside becomes "
-                         "part of the domain")
+                         help="put the input into an upright rectangle this far away on every side: the outside "
+                         "becomes part of the domain")
 
 
 def _read(args: argparse.Namespace, path: str) -> Source:

@@ -12,8 +12,9 @@ from exactmesh.claims.section_2_mesh import MESH_CLAIMS
 from exactmesh.errors import InputError
 
 # The places in the order of the paper; an id begins with its place.
-_PLACES = ("abstract", "section-1", "table-1", "lemma-1", "lemma-2", "lemma-3", "section-2", "tube", "phase-1",
-           "phase-2", "phase-3", "phase-4", "theorem-1", "theorem-2", "theorem-3", "section-5", "appendix-a", "repaired")
+_PLACES = (
+    "abstract", "section-1", "table-1", "lemma-1", "lemma-2", "lemma-3", "section-2", "tube", "phase-1", "phase-2",
+    "phase-3", "phase-4", "theorem-1", "theorem-2", "theorem-3", "section-5", "appendix-a", "repaired")
 
 CLAIMS: tuple[Claim, ...] = tuple(sorted(
     (*ELSEWHERE_CLAIMS, *BOUNDARY_CLAIMS, *MESH_CLAIMS, *RESULT_CLAIMS, *REPAIRED_CLAIMS),

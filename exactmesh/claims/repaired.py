@@ -117,7 +117,8 @@ def _internal_degradation(run: Run) -> Verdict:
 
 
 REPAIRED_CLAIMS: tuple[Claim, ...] = (
-    Claim("repaired.unit", _REPAIRED, "the unit m is at most the feature size to keep, and less by one millionth at most",
+    Claim("repaired.unit", _REPAIRED,
+          "the unit m is at most the feature size to keep, and less by one millionth at most",
           (), f"mfs/m <= 1 + {UNIT_SLACK}", "square", _RUNS, _unit, kinds=_ALL),
     Claim("repaired.offset-thickness", _REPAIRED, "an offset edge keeps its distance from its edge (I1)",
           _GIVEN, f">= {LEVEL} mfs", "square", _RUNS, _thickness_least, kinds=_ALL),

@@ -41,7 +41,8 @@ def svg_from_mesh(pslg: Pslg, mesh: Mesh, verification: Verification) -> str:
     edges = {(min(side), max(side)) for cycle in mesh.faces for side in sides(cycle)}
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.2f} {height + 30:.2f}">',
-        f"<title>{_title(pslg, verification)}</title><style>{_STYLE.replace('STROKE', _stroke(len(mesh.faces)))}</style>",
+        f"<title>{_title(pslg, verification)}</title>",
+        f"<style>{_STYLE.replace('STROKE', _stroke(len(mesh.faces)))}</style>",
         f'<path class="faces" d="{_polygons(places, mesh.faces)}"/>',
         f'<path class="faces" d="{_lines(places, sorted(edges))}"/>',
         f'<path class="input" d="{_lines(places, pslg.edges)}"/>',

@@ -25,7 +25,7 @@ def l_shape(length: int) -> Pslg:
 
 def spike_room(length: int) -> Pslg:
     """Return a room of length L > 2 and height 2 with a spike that hangs from its ceiling near the left end."""
-    corners = [(0, 0), (length, 0), (length, 2), (2, 2), ("3/2", 1), (1, 2), (0, 2)]
+    corners: list[tuple[int | str, int]] = [(0, 0), (length, 0), (length, 2), (2, 2), ("3/2", 1), (1, 2), (0, 2)]
     return polygon(corners, f"room of length {length} with a spike")
 
 
