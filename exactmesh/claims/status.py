@@ -1,8 +1,8 @@
 """What is known of each claim, computed from the witnesses: nothing here is typed by hand.
 
 Every claim is judged on every witness that comes with the package, in every construction it concerns, on meshes of the
-first kind it names. It is
-"refuted" when it fails on one, "holds" when there were instances and none failed, "open" when there were none.
+first kind it names. It is "refuted" when it fails on one, else "proved" when certificates that are re-checked now prove
+it for all inputs, "holds" when there were instances and none failed, "open" when there were none.
 """
 
 from collections.abc import Callable, Iterable
@@ -17,6 +17,7 @@ from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.verdict import Verdict
 from exactmesh.planar.mesh import Kind
+from exactmesh.proofs.registry import is_proved
 
 Known = Literal["proved", "holds", "refuted", "open"]
 
@@ -38,11 +39,13 @@ class Entry:
 
     claim: Claim
     judged: tuple[Judged, ...]
+    proved: bool = False
 
     @property
     def status(self) -> Known:
         """The status of the sentence as the paper means it: of the published construction, where that is judged."""
-        return self.judged[0].status if self.judged else "open"
+        known = self.judged[0].status if self.judged else "open"
+        return "proved" if self.proved and known != "refuted" else known
 
     @property
     def instances(self) -> int:
@@ -65,8 +68,8 @@ def ledger(claims: Iterable[Claim] = CLAIMS, progress: Callable[[str], None] = l
         return runs[key]
 
     names = [name for _, name, _ in by_size]
-    return [Entry(claim, tuple(_judged(claim, construction, names, run_of) for construction in claim.runs))
-            for claim in claims]
+    return [Entry(claim, tuple(_judged(claim, construction, names, run_of) for construction in claim.runs),
+                  is_proved(claim.id)) for claim in claims]
 
 
 def _judged(claim: Claim, construction: ConstructionName, names: list[str],

@@ -1,0 +1,1 @@
+"""Proofs for all inputs: problems, certificates that rational arithmetic re-checks, and decision procedures."""

@@ -1,0 +1,15 @@
+; appendix-a.triangle-radius: three heights of 1 or more: r >= 1/3
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const X Real)
+(declare-const Y Real)
+(declare-const Z Real)
+(declare-const r Real)
+(assert (> (* 1.0 X) 0.0))
+(assert (> (* 1.0 Y) 0.0))
+(assert (> (* 1.0 Z) 0.0))
+(assert (>= (+ (* 2.0 X r) (* 2.0 Y r) (* 2.0 Z r) (* (- 1.0) Y) (* (- 1.0) Z)) 0.0))
+(assert (>= (+ (* 2.0 X r) (* 2.0 Y r) (* 2.0 Z r) (* (- 1.0) X) (* (- 1.0) Z)) 0.0))
+(assert (>= (+ (* 2.0 X r) (* 2.0 Y r) (* 2.0 Z r) (* (- 1.0) X) (* (- 1.0) Y)) 0.0))
+(assert (> (+ (* (- 3.0) r) 1.0) 0.0))
+(check-sat)

@@ -1,0 +1,13 @@
+; appendix-a.triangle-small: for r < 1/2: |e'| = e (1 - 1/(4 r)) >= sqrt(3)/6
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const Z Real)
+(declare-const e Real)
+(declare-const r Real)
+(assert (> (* 1.0 e) 0.0))
+(assert (> (* 1.0 Z) 0.0))
+(assert (> (* 1.0 r) 0.0))
+(assert (>= (+ (* 3.0 r) (- 1.0)) 0.0))
+(assert (>= (+ (* 4.0 e e r) (* (- 1.0) e e) (* (- 4.0) r r)) 0.0))
+(assert (> (+ (* (- 48.0) e e r r) (* 24.0 e e r) (* (- 3.0) e e) (* 4.0 r r)) 0.0))
+(check-sat)

@@ -1,0 +1,17 @@
+; lemma-1.case-1.TR-left-leg.between: TR is at distance 2 m or more from the left leg; the foot lies on the segment
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const h Real)
+(declare-const l Real)
+(declare-const m Real)
+(assert (> (* 1.0 m) 0.0))
+(assert (>= (+ (* 1.0 h) (* (- 2.0) m)) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 l) (* (- 2.0) m)) 0.0))
+(assert (>= (* 1.0 a) 0.0))
+(assert (>= (+ (* 1.0 a b) (* 1.0 a l) (* 1.0 a a)) 0.0))
+(assert (>= (+ (* (- 1.0) a b) (* (- 1.0) a l) (* 1.0 h h)) 0.0))
+(assert (> (+ (* (- 2.0) a b h h) (* (- 2.0) a h h l) (* (- 1.0) a a h h) (* 4.0 a a m m) (* (- 2.0) b h h l) (* (- 1.0) b b h h) (* (- 1.0) h h l l) (* 4.0 h h m m)) 0.0))
+(check-sat)

@@ -1,0 +1,13 @@
+; lemma-1.case-1.near-right: the top side ends to the right of the foot of BL
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const h Real)
+(declare-const l Real)
+(assert (>= (* 1.0 a) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (> (* 1.0 l) 0.0))
+(assert (> (* 1.0 h) 0.0))
+(assert (> (+ (* (- 1.0) b) (* (- 1.0) l)) 0.0))
+(check-sat)

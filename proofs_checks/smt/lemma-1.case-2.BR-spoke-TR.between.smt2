@@ -1,0 +1,18 @@
+; lemma-1.case-2.BR-spoke-TR.between: BR is at distance m or more from the spoke TR; the foot lies on the segment
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const h Real)
+(declare-const l Real)
+(declare-const m Real)
+(assert (> (* 1.0 m) 0.0))
+(assert (>= (+ (* 1.0 h) (* (- 2.0) m)) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (> (* 1.0 l) 0.0))
+(assert (> (* 1.0 a) 0.0))
+(assert (>= (+ (* (- 4.0) a a m m) (* 1.0 h h l l) (* (- 4.0) h h m m)) 0.0))
+(assert (>= (+ (* (/ 3.0 2.0) a b) (* (/ 1.0 2.0) a l) (* (/ 1.0 2.0) a a) (* (/ 1.0 2.0) b l) (* 1.0 b b) (* (/ 1.0 2.0) h h)) 0.0))
+(assert (>= (+ (* (- (/ 1.0 2.0)) a b) (* (- (/ 1.0 4.0)) a a) (* (/ 1.0 2.0) b l) (* (- (/ 1.0 4.0)) h h) (* (/ 1.0 4.0) l l)) 0.0))
+(assert (> (+ (* 1.0 a b m m) (* (/ 1.0 2.0) a l m m) (* (/ 1.0 4.0) a a m m) (* (- (/ 1.0 2.0)) b h h l) (* 1.0 b l m m) (* (- (/ 1.0 4.0)) b b h h) (* 1.0 b b m m) (* (- (/ 1.0 4.0)) h h l l) (* (/ 1.0 4.0) h h m m) (* (/ 1.0 4.0) l l m m)) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; lemma-1.case-2.flat: if a <= l, the foot of BR on the top is not after its end, so mfs(H) <= h
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const h Real)
+(declare-const l Real)
+(declare-const m Real)
+(assert (> (* 1.0 m) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (> (* 1.0 l) 0.0))
+(assert (> (* 1.0 a) 0.0))
+(assert (> (* 1.0 h) 0.0))
+(assert (>= (+ (* (- 1.0) a) (* 1.0 l)) 0.0))
+(assert (> (+ (* (- 1.0) a) (* (- 1.0) b)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; lemma-1.case-2.foot-after: the foot of BR on the line of the left leg does not lie before BL
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const h Real)
+(declare-const l Real)
+(declare-const m Real)
+(assert (> (* 1.0 m) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (> (* 1.0 l) 0.0))
+(assert (> (* 1.0 a) 0.0))
+(assert (> (* 1.0 h) 0.0))
+(assert (> (* (- 1.0) a l) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; lemma-1.case-2.foot-beyond: if the foot of BR lies beyond TL, l h / |left leg| is more than h
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const h Real)
+(declare-const l Real)
+(declare-const m Real)
+(assert (> (* 1.0 m) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (> (* 1.0 l) 0.0))
+(assert (> (* 1.0 a) 0.0))
+(assert (> (* 1.0 h) 0.0))
+(assert (> (+ (* 1.0 a l) (* (- 1.0) a a) (* (- 1.0) h h)) 0.0))
+(assert (>= (+ (* 1.0 a a h h) (* (- 1.0) h h l l) (* 1.0 h h h h)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; refinement.chord-length: 16 a.m <= c makes a chord at least as long as (2 - c)/16, squared; c = cos 45
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const ax Real)
+(declare-const ay Real)
+(declare-const c Real)
+(declare-const mx Real)
+(declare-const my Real)
+(assert (= (+ (* 16.0 ax ax) (* 16.0 ay ay) (- 1.0)) 0.0))
+(assert (= (+ (* 16.0 mx mx) (* 16.0 my my) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 c) (* (- 16.0) ax mx) (* (- 16.0) ay my)) 0.0))
+(assert (>= (* 1.0 c) 0.0))
+(assert (>= (+ 1.0 (* (- 1.0) c)) 0.0))
+(assert (> (+ (* (- 16.0) ax ax) (* 32.0 ax mx) (* (- 16.0) mx mx) (* (- 16.0) ay ay) (* 32.0 ay my) (* (- 16.0) my my) 2.0 (* (- 2.0) c)) 0.0))
+(check-sat)

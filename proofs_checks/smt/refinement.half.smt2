@@ -1,0 +1,9 @@
+; refinement.half: 1/2 > sin(pi/8)/2
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const s Real)
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ 1.0 (* (- 2.0) s)) 0.0))
+(assert (>= (+ (* 8.0 s s s s) (* (- 8.0) s s) 1.0) 0.0))
+(assert (>= (+ (- 1.0) (* 1.0 s)) 0.0))
+(check-sat)

@@ -1,0 +1,8 @@
+; refinement.prolonged-others: 1 - sqrt(2)/4 > 1/4: edges that do not end in v are farther
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const q Real)
+(assert (> (* 1.0 q) 0.0))
+(assert (>= (+ 2.0 (* (- 1.0) q q)) 0.0))
+(assert (>= (+ (- 3.0) (* 1.0 q)) 0.0))
+(check-sat)
