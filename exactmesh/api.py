@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from exactmesh.claims.claim import Judgement
 from exactmesh.claims.ledger import judge
-from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.run import ConstructionName, Run, construction_for
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.ifs import internal_feature_size
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
@@ -64,17 +64,19 @@ def ifs(pslg: Pslg) -> Nearest | None:
     return internal_feature_size(subdivide(pslg))
 
 
-def mesh(pslg: Pslg, construction: ConstructionName = "repaired", kind: Kind = "nonproper",
-         progress: Progress = _silent) -> Meshing:
+def mesh(pslg: Pslg, construction: ConstructionName | None = None, kind: Kind = "nonproper",
+         progress: Progress = _silent, optimal: bool = False) -> Meshing:
     """Return a triangulation of the bounded faces of `pslg`, less holes.
 
     A nonproper one by the repaired construction has degradation at most 21.6, a proper one at most
-    max(21.6, 9 (1 + log2 n)) for n corners; "paper" is the published construction, for one simple polygon. Every step
-    is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
+    max(21.6, 9 (1 + log2 n)) for n corners; an internal one keeps the internal feature size up to a factor of 45, may
+    split edges of the input, and is made where every edge has the domain on one side; a classic one adds no vertex and
+    promises nothing (`optimal`: the best one of one simple polygon). "paper" is the published construction, for one
+    simple polygon; when none is named the kind decides. Every step is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
     `progress` is called with the name of each step. Raises `InputError` when `pslg` is none, encloses nothing, or is
     not for the construction.
     """
-    return meshing_of(Run(pslg, construction, kind, progress=progress))
+    return meshing_of(Run(pslg, construction or construction_for(kind), kind, progress=progress, optimal=optimal))
 
 
 def meshing_of(run: Run) -> Meshing:

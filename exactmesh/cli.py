@@ -14,17 +14,27 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import exactmesh
-from exactmesh import report
+from exactmesh import check, report
 from exactmesh.api import ifs, meshing_of, mfs, verify
+from exactmesh.certificate.files import certificate_text, pslg_bytes
+from exactmesh.certificate.part import check_part
 from exactmesh.claims.bounds import bounds
 from exactmesh.claims.ledger import CLAIMS, claim_by_id, judge_one
-from exactmesh.claims.run import ConstructionName, Run
+from exactmesh.claims.run import ConstructionName, Run, construction_for
 from exactmesh.claims.status import ledger
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.data import EXAMPLES
+from exactmesh.dissection.dissect import dissect
+from exactmesh.dissection.dissection_json import json_from_dissection, read_dissection
+from exactmesh.dissection.lower_bound import rectangle_rows, rectangles_json, rectangles_text
+from exactmesh.dissection.picture import svg_from_dissection
+from exactmesh.dissection.report import dissected_text, verdict_json, verdict_text
+from exactmesh.dissection.triangles import KINDS as DISSECTION_KINDS
+from exactmesh.dissection.verify import verify_dissection
 from exactmesh.errors import ConstructionFailed, InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.io.mesh_json import json_from_mesh
+from exactmesh.io.pslg_json import json_from_pslg
 from exactmesh.io.read import Source, read_mesh, read_pslg
 from exactmesh.io.svg import svg_from_mesh
 from exactmesh.io.text import printable
@@ -32,6 +42,7 @@ from exactmesh.numbers.rational import decimal_text, rational_from_text
 from exactmesh.paper import PAPER_CHOICES, paper_options
 from exactmesh.planar.bounding_box import with_bounding_box
 from exactmesh.planar.mesh import KINDS
+from exactmesh.planar.pslg import Pslg
 from exactmesh.progress import Progress
 from exactmesh.proofs.prove import prove, summaries
 from exactmesh.proofs.report import contradiction, proofs_json, summary_text
@@ -40,6 +51,7 @@ from exactmesh.reproduce.growth import laws
 from exactmesh.reproduce.spread import spread_json, spread_rows, spread_text
 from exactmesh.reproduce.table1 import MADE, Made, table1_rows
 from exactmesh.reproduce.text import table1_csv, table1_json, table1_svg, table1_text
+from exactmesh.search.commands import add_search_commands
 
 HOLDS, FAILS, REFUSED, INTERRUPTED = 0, 1, 2, 130
 
@@ -110,6 +122,9 @@ def _parser() -> argparse.ArgumentParser:
     _add_box(command)
     command.add_argument("--report", metavar="R", help="write what was checked (exactmesh-report/1)")
     command.add_argument("--svg", metavar="S", help="write a picture")
+    command.add_argument("--certificate", metavar="C", help="write what a checker needs (exactmesh-certificate/1)")
+    command.add_argument("--pslg", metavar="P", help="write the input, box included, as exactmesh-pslg/1: the checkers "
+                         "read no other format")
     _add_quiet(command)
     command.set_defaults(run=_mesh)
 
@@ -122,6 +137,17 @@ def _parser() -> argparse.ArgumentParser:
     _add_quiet(command)
     command.set_defaults(run=_verify)
 
+    command = commands.add_parser("check", help="check a mesh by its certificate, as the stand-alone checkers do")
+    for name in ("PSLG", "MESH", "CERTIFICATE"):
+        command.add_argument(name.lower(), metavar=name, help=f"exactmesh-{name.lower()}/1")
+    command.add_argument("--random-part", metavar="K", type=_count, help="look at K random faces, edges and vertices "
+                         "only: may find a fault, proves nothing")
+    command.add_argument("--seed", metavar="N", type=_count, default=0, help="for --random-part (default: 0)")
+    for name in check.DEFAULT._fields:
+        command.add_argument(f"--max-{name}", metavar="N", type=_count, default=getattr(check.DEFAULT, name),
+                             help=f"refuse a file with more {name} (default: %(default)s)")
+    command.set_defaults(run=_check)
+
     command = commands.add_parser("claims", help="the ledger of claims, or one claim, or one judged on one input")
     command.add_argument("id", metavar="ID", nargs="?")
     on = command.add_mutually_exclusive_group()
@@ -133,8 +159,9 @@ def _parser() -> argparse.ArgumentParser:
     command.set_defaults(run=_claims)
 
     command = commands.add_parser("reproduce", help="tables of the paper, recomputed")
-    command.add_argument("what", choices=("bounds", "spread", "table1"),
-                         help="bounds: the paper's numbers beside their exact values; spread: how the degradation of "
+    command.add_argument("what", choices=("bounds", "dissection", "spread", "table1"),
+                         help="bounds: the paper's numbers beside their exact values; dissection: the square to the "
+                         "r x 1 rectangle, pieces beside the fewest there can be; spread: how the degradation of "
                          "both constructions grows with the length of a room; table1: the paper's Table 1, exact "
                          "degradations of all kinds of meshes on families of inputs")
     command.add_argument("--json", action="store_true", help="print one JSON object")
@@ -143,6 +170,26 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("--kinds", metavar="KIND,..", type=_kinds, help=f"table1: only these of {', '.join(MADE)}")
     _add_quiet(command)
     command.set_defaults(run=_reproduce)
+
+    command = commands.add_parser("dissect", help="cut polygons of equal area into pieces that make up each of them")
+    command.add_argument("files", metavar="FILE", nargs="+", help="two polygons or more; they may have holes")
+    command.add_argument("-o", "--output", metavar="PIECES", required=True,
+                         help="write the pieces (exactmesh-dissection/1)")
+    command.add_argument("--svg", metavar="S", help="write a picture of all polygons side by side")
+    command.add_argument("--scale", action="store_true",
+                         help="scale all but the first to the area of the first, exactly")
+    command.add_argument("--kind", choices=DISSECTION_KINDS,
+                         help="the triangulation; without it those with the fewest strips, which carry the bound")
+    _add_quiet(command)
+    command.set_defaults(run=_dissect)
+
+    command = commands.add_parser("verify-dissection",
+                                  help="decide whether pieces, from anywhere, make up each polygon")
+    command.add_argument("files", metavar="FILE", nargs="+", help="the polygons, two or more, in the pieces' order")
+    command.add_argument("pieces", metavar="PIECES", help="exactmesh-dissection/1")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    _add_quiet(command)
+    command.set_defaults(run=_verify_dissection)
 
     command = commands.add_parser("prove", help="run the proofs for all inputs, or re-check their certificates")
     command.add_argument("id", metavar="ID", nargs="*", help="a claim, a problem, or a file of them; none: all")
@@ -156,6 +203,7 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("name", metavar="NAME", nargs="?")
     command.add_argument("-o", "--output", metavar="OUT", default="-", help="where to write it (default: -)")
     command.set_defaults(run=_examples)
+    add_search_commands(commands)
     return parser
 
 
@@ -203,6 +251,12 @@ def _paper_option(text: str) -> tuple[str, str]:
     return name, value
 
 
+def _count(text: str) -> int:
+    if not (text.isdecimal() and text.isascii() and len(text) <= 9):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of at most nine digits")
+    return int(text)
+
+
 def _kinds(text: str) -> tuple[Made, ...]:
     names = text.split(",")
     if not set(names) <= set(MADE):
@@ -221,19 +275,32 @@ def _size(args: argparse.Namespace) -> int:
 
 
 def _mesh(args: argparse.Namespace) -> int:
-    outputs = [path for path in (args.output, args.report, args.svg) if path]
-    if "" in (args.output, args.report, args.svg):
+    results = (args.output, args.report, args.svg, args.certificate, args.pslg)
+    outputs = [path for path in results if path]
+    if "" in results:
         raise InputError("the name of an output file is empty")
     if len(set(outputs)) < len(outputs):
         raise InputError("two results cannot go to one place: give each its own file")
     if args.optimal and args.kind != "classic":
         raise InputError("--optimal is for --kind classic")
-    construction: ConstructionName = args.construction or ("classic" if args.kind == "classic" else "repaired")
+    if args.certificate and not args.output:
+        raise InputError("a certificate belongs to the file of a mesh: give -o as well")
+    if args.certificate and args.kind == "internal":
+        raise InputError("internal meshes split edges of the input: certificates are for the other kinds")
+    if args.certificate and args.bounding_box is not None and not args.pslg:
+        raise InputError("with --bounding-box a certificate needs --pslg P: the input in its box is written there")
+    construction: ConstructionName = args.construction or construction_for(args.kind)
     with Progress(args.quiet) as progress:
         progress("reading")
         source = _read(args, args.file)
+        pslg_data = b""
+        if args.pslg:
+            pslg_data = json_from_pslg(source.pslg).encode()
+        elif args.certificate:
+            pslg_data = pslg_bytes(args.file, source.sha256)
         options = paper_options(dict(args.paper))
-        result = meshing_of(Run(source.pslg, construction, args.kind, options, progress, args.optimal))
+        run = Run(source.pslg, construction, args.kind, options, progress, args.optimal)
+        result = meshing_of(run)
         progress("writing")
         text = json_from_mesh(result.mesh)
         if args.output:
@@ -243,9 +310,16 @@ def _mesh(args: argparse.Namespace) -> int:
             write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, construction))
         if args.svg:
             write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification))
+        if args.pslg:
+            write_text(args.pslg, pslg_data.decode())
+        if args.certificate and result.verification.valid:
+            write_text(args.certificate, certificate_text(pslg_data, text.encode(), run.subdivision, result.mesh,
+                                                          result.verification, progress))
+    if args.certificate and not result.verification.valid:
+        print("exactmesh: no certificate is written: the mesh is not valid", file=sys.stderr)
     if not args.quiet:
         # A summary never mixes with a result that goes to standard output.
-        stream = sys.stderr if "-" in (args.output, args.report, args.svg) else sys.stdout
+        stream = sys.stderr if "-" in results else sys.stdout
         print(report.claims_text(result.judgements), report.verification_text(result.verification), sep="\n\n",
               file=stream)
     if not result.holds:
@@ -272,6 +346,15 @@ def _verify(args: argparse.Namespace) -> int:
         print(f"exactmesh: the degradation is above {decimal_text(bound)}", file=sys.stderr)
         return FAILS
     return HOLDS
+
+
+def _check(args: argparse.Namespace) -> int:
+    if args.random_part is not None:
+        valid, line = check_part(args.pslg, args.mesh, args.certificate, args.random_part, args.seed)
+        print(line)
+        return HOLDS if valid else FAILS
+    limits = [text for name in check.DEFAULT._fields for text in (f"--max-{name}", str(getattr(args, f"max_{name}")))]
+    return check.main([*limits, "--", args.pslg, args.mesh, args.certificate])
 
 
 def _claims(args: argparse.Namespace) -> int:
@@ -306,6 +389,11 @@ def _reproduce(args: argparse.Namespace) -> int:
             rooms = list(spread_rows(progress))
         print(spread_json(rooms) if args.json else spread_text(rooms))
         return HOLDS
+    if args.what == "dissection":
+        with Progress(args.quiet) as progress:
+            made = list(rectangle_rows(progress=progress))
+        print(rectangles_json(made) if args.json else rectangles_text(made))
+        return HOLDS if all(row.valid for row in made) else FAILS
     rows = list(bounds())
     print(bounds_json(rows) if args.json else bounds_text(rows))
     return HOLDS
@@ -333,6 +421,42 @@ def _prove(args: argparse.Namespace) -> int:
         results = list(prove(args.id, args.fast, args.seconds, progress))
     print(proofs_json(results) if args.json else summary_text(summaries(results), results))
     return FAILS if contradiction(results) else HOLDS
+
+
+def _dissect(args: argparse.Namespace) -> int:
+    if args.output == "" or args.svg == "":
+        raise InputError("the name of an output file is empty")
+    if args.output == args.svg:
+        raise InputError("two results cannot go to one place: give each its own file")
+    with Progress(args.quiet) as progress:
+        progress("reading")
+        result = dissect(_polygons(args.files), args.scale, args.kind, progress)
+        progress("writing")
+        write_text(args.output, json_from_dissection(result.dissection))
+        if args.svg:
+            write_text(args.svg, svg_from_dissection(result.dissection))
+    if not args.quiet:
+        print(dissected_text(result), file=sys.stderr if "-" in (args.output, args.svg) else sys.stdout)
+    return HOLDS
+
+
+def _verify_dissection(args: argparse.Namespace) -> int:
+    with Progress(args.quiet) as progress:
+        progress("reading")
+        polygons = _polygons(args.files, args.pieces)
+        pieces = read_dissection(args.pieces)
+        verdict = verify_dissection(polygons, pieces, progress)
+    print(verdict_json(verdict) if args.json else verdict_text(verdict))
+    return HOLDS if verdict.valid else FAILS
+
+
+def _polygons(paths: Sequence[str], *others: str) -> list[Pslg]:
+    """Return the PSLGs in files; raises `InputError` when there is one only, or standard input is named twice."""
+    if len(paths) < 2:
+        raise InputError("a dissection is of two polygons or more")
+    if [*paths, *others].count("-") > 1:
+        raise InputError("standard input can be read once only")
+    return [read_pslg(path).pslg for path in paths]
 
 
 def _examples(args: argparse.Namespace) -> int:

@@ -6,7 +6,7 @@
 
 import json
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -66,7 +66,7 @@ def equal(p: Scalar, q: Scalar = 0) -> Constraint:
 @dataclass(frozen=True)
 class Statement:
     """A problem to be: `conclude` gives the conclusion when the bound is multiplied by a factor, None where there is
-    no bound to sharpen."""
+    no bound to sharpen. `sharp` is a point to try against it first."""
 
     id: str
     says: str
@@ -74,6 +74,7 @@ class Statement:
     conclude: Callable[[Fraction], Constraint] | None
     hint: Hint = PLAIN
     sharpen: bool = True
+    sharp: Mapping[str, str] | None = None
 
 
 def states(id_: str, says: str, hypotheses: Iterable[Constraint], conclusion: Constraint | None,
@@ -84,9 +85,9 @@ def states(id_: str, says: str, hypotheses: Iterable[Constraint], conclusion: Co
 
 
 def bounded(id_: str, says: str, hypotheses: Iterable[Constraint], conclude: Callable[[Fraction], Constraint],
-            hint: Hint = PLAIN) -> Statement:
+            hint: Hint = PLAIN, sharp: Mapping[str, str] | None = None) -> Statement:
     """Return a statement whose bound can be sharpened by a factor."""
-    return Statement(id_, says, tuple(hypotheses), conclude, hint)
+    return Statement(id_, says, tuple(hypotheses), conclude, hint, sharp=sharp)
 
 
 def keeps_distance(id_: str, says: str, hypotheses: Sequence[Constraint], p: Spot, a: Spot, b: Spot,
@@ -123,7 +124,8 @@ def settle(statement: Statement, old: Problem | None) -> Problem:
             try:
                 old.check_certificate()
                 old.check_guards()
-                return old
+                if statement.sharp is None or (old.stronger and old.stronger.factor == "101/100"):
+                    return old
             except Refused:
                 pass
     problem = Problem(statement.id, statement.says, hypotheses, conclusion)
@@ -136,16 +138,21 @@ def settle(statement: Statement, old: Problem | None) -> Problem:
                 return replace(bare, certificate=certificate)
         problem = replace(problem, example=example)
         if statement.sharpen and example is not None and statement.conclude:
-            problem = replace(problem, stronger=_sharpest(statement.conclude, hypotheses))
+            problem = replace(problem, stronger=_sharpest(statement, hypotheses))
     return replace(problem, certificate=find(problem.assumptions(), statement.hint))
 
 
-def _sharpest(conclude: Callable[[Fraction], Constraint], hypotheses: Sequence[Constraint]) -> Stronger | None:
+def _sharpest(statement: Statement, hypotheses: Sequence[Constraint]) -> Stronger | None:
+    assert statement.conclude is not None
     for factor in FACTORS:
-        stronger = conclude(factor)
-        at = example_of((*hypotheses, stronger.negated()))
-        if at is not None:
-            return Stronger(str(factor), stronger, at)
+        stronger = statement.conclude(factor)
+        if statement.sharp is not None:
+            at = {name: mpq(text) for name, text in statement.sharp.items()}
+            if all(c.holds(at) for c in hypotheses) and not stronger.holds(at):
+                return Stronger(str(factor), stronger, at)
+        found = example_of((*hypotheses, stronger.negated()), 5)
+        if found is not None:
+            return Stronger(str(factor), stronger, found)
     return None
 
 

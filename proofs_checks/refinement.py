@@ -30,7 +30,8 @@ above = (at_least(s), at_least(1, 2 * s), at_least(0, 8 * s**4 - 8 * s**2 + 1))
 
 CHORD = [bounded("refinement.chord", "a chord of 90 degrees or less keeps 1/(4 sqrt 2) from the centre",
                  (*circle, *within, at_least(ax * mx + ay * my)),
-                 lambda f: at_least(32 * (px * px + py * py), square(f)), Hint(squares=(2 * t - 1,), degrees=(4,)))]
+                 lambda f: at_least(32 * (px * px + py * py), square(f)), Hint(squares=(2 * t - 1,), degrees=(4,)),
+                 {"ax": "1/4", "ay": "0", "mx": "0", "my": "1/4", "t": "1/2"})]
 NEAREST = [bounded("refinement.nearest-end", "at an angle of 90 degrees or more the nearest point is the vertex",
                    (at_least(b), at_least(0, x * ux + y * uy), more(x * x + y * y)),
                    lambda f: at_least((x - b * ux)**2 + (y - b * uy)**2, square(f) * (x * x + y * y)),
@@ -46,9 +47,10 @@ PROLONGED = [
 OTHERS = [states("refinement.chord-others", "3/4 > 1/(4 sqrt 2), as q >= sqrt 2 >= 1: other edges are farther",
                  (more(q), at_least(q * q, 2)), more(3 * q, 1))]
 LENGTH = [
-    bounded("refinement.chord-length", "16 a.m <= c makes a chord at least as long as (2 - c)/16, squared; c = cos 45",
+    bounded("refinement.chord-length", "16 a.m <= c makes a chord at least sqrt((1 - c)/8) long; c = cos 45",
             (*circle, at_least(c, 16 * (ax * mx + ay * my)), at_least(c), at_least(1, c)),
-            lambda f: at_least(16 * ((ax - mx)**2 + (ay - my)**2), square(f) * (2 - 2 * c))),
+            lambda f: at_least(16 * ((ax - mx)**2 + (ay - my)**2), square(f) * (2 - 2 * c)),
+            sharp={"ax": "1/4", "ay": "0", "mx": "3/20", "my": "1/5", "c": "3/5"}),
     bounded("refinement.apart", "1 - sqrt(2)/2 > sin(pi/8)/2", (*below, more(q), at_least(2, q * q)),
             lambda f: more(2 - q, s * mpq(f)), Hint(cells=400)),
     states("refinement.half", "1/2 > sin(pi/8)/2", below, more(1, s)),
@@ -99,8 +101,8 @@ THEOREMS = [
     Theorem("section-2.p4-tube-distance", "claim", "P4 keeps 1/(4 sqrt 2) - 1/(4 d3) from P",
             (*names(CHORD, NEAREST, PROLONGED, OTHERS), *LEMMA_2), FROM_P + " P stays, P4 moves by at most 1/(4 d3)."),
     Theorem("section-2.p4-both-regions", "claim", "P and P4 together keep 1/(2 d3)",
-            (*P3, *names(CHORD, OTHERS, SNAP[:1]), *LEMMA_2), APART + " With d3 = 4 sqrt 2 the distance is 1/(8 sqrt 2), "
-            "which is 1/(2 d3)."),
+            (*P3, *names(CHORD, OTHERS, SNAP[:1]), *LEMMA_2), APART + " With d3 = 4 sqrt 2 the distance is 3/(16 sqrt 2), "
+            "above 1/(2 d3)."),
     Theorem("theorem-1.degradation", "part", "8 d3 is 41.81 or 45.25: only the first reading is below 45",
             names(SNAP[1:]), "8 d3 = 16/sin(pi/8) or 32 sqrt 2."),
 ]

@@ -10,7 +10,7 @@ Random         random_simple_polygon (kinds in KINDS), grid_map, random_pslg
 Changes        scaled, translated, rotated, mirrored, reversed_orientation, with_start,
                with_collinear_vertices, big_coordinates
 Domains        nested_rings, polygon_with_holes, wheel, boxed_tree, random_segments, spike_with_ledges, thin_walls,
-               slits, walled_spiral
+               slits, walled_spiral, leaning_strip
 Collections    ALL_SMALL, SMALL_PSLGS, issue_list
 """
 
@@ -26,6 +26,7 @@ from gmpy2 import mpq
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import subdivide
 from exactmesh.planar.pslg import Edge, Pslg
+from exactmesh.steps.constants import LEVEL
 
 Number: TypeAlias = int | Fraction | mpq
 Pair: TypeAlias = tuple[Number, Number]
@@ -966,3 +967,19 @@ def walled_spiral(turns: int, thickness: Number, per_turn: int = 16) -> Pslg:
         inner.append((x * radius, y * radius))
         outer.append((x * (radius + 1 - mpq(thickness)), y * (radius + 1 - mpq(thickness))))
     return ring([*outer, *inner[::-1]], f"walled spiral of {turns} turns")
+
+
+def leaning_strip(run: Number, offset: Number, start: Number = Fraction(501, 1000), pieces: int = 1) -> Pslg:
+    """Return a long strip of height just above 1 that rises by one level of the repaired construction per `run`.
+
+    Below there are vertices every `run`, from `start` levels up, above as well but `offset` to the left (180 degrees
+    all): both sides are snapped towards each other when the offset is a little above 0.31 run.
+    """
+    slope = LEVEL / mpq(run)
+    low = mpq(start) * LEVEL
+    inner = [k * mpq(run) for k in range(pieces + 1)]
+    ends = [-3 * mpq(run)], [(pieces + 3) * mpq(run)]
+    below, above = [*ends[0], *inner, *ends[1]], [*ends[0], *(x - mpq(offset) for x in inner), *ends[1]]
+    height = 1 + slope**2
+    return ring([*((x, low + slope * x) for x in below), *((x, low + slope * x + height) for x in above[::-1])],
+                f"leaning strip, {run} a level, offset {offset}")

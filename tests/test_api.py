@@ -126,3 +126,11 @@ def test_deep_and_long_inputs_do_not_recurse() -> None:
         assert exactmesh.mesh(families.comb(98)).holds
     finally:
         sys.setrecursionlimit(limit)
+
+
+def test_the_kind_decides_on_the_construction():
+    room = exactmesh.polygon([(0, 0), (9, 0), (9, 1), (5, 1), (4, 1), (0, 1)])
+    fast, best = (exactmesh.mesh(room, kind="classic", optimal=optimal) for optimal in (False, True))
+    assert fast.mesh.kind == best.mesh.kind == "classic" and fast.holds and best.holds
+    assert best.verification.degradation_squared == 26 <= fast.verification.degradation_squared
+    assert exactmesh.mesh(room, kind="internal").verification.ifs_degradation_squared < 45**2

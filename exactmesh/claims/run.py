@@ -27,6 +27,11 @@ KINDS_OF: dict[ConstructionName, tuple[Kind, ...]] = {
 _DEFAULTS = PaperOptions()
 
 
+def construction_for(kind: Kind) -> ConstructionName:
+    """Return the construction that makes meshes of a kind when none is asked for."""
+    return "classic" if kind == "classic" else "repaired"
+
+
 def _silent(step: str) -> None:
     """Report nothing."""
 
@@ -45,8 +50,9 @@ class Run:
         self.pslg = pslg
         self.construction: ConstructionName = construction
         if kind not in KINDS_OF[construction]:
-            raise InputError(f"the {construction} construction makes {' and '.join(KINDS_OF[construction])} meshes, "
-                             f"not {kind} ones")
+            *others, last = KINDS_OF[construction]
+            made = f"{', '.join(others)} and {last}" if others else last
+            raise InputError(f"the {construction} construction makes {made} meshes, not {kind} ones")
         self.kind: Kind = kind
         self.options = replace(options, rectangle="layers") if kind == "proper" else options
         self.progress = progress

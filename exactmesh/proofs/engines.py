@@ -77,7 +77,7 @@ def _cvc5(script: str, seconds: float) -> str:
     result = ""
     while not (command := parser.nextCommand()).isNull():
         result += str(command.invoke(solver, parser.getSymbolManager()))
-    return "timeout" if result.strip() == "unknown" else result.strip()
+    return "timeout" if result.startswith("unknown") else result.strip()
 
 
 def _serve(engine: str, seconds: float) -> None:

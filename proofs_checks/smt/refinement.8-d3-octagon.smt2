@@ -3,7 +3,7 @@
 (set-logic QF_NRA)
 (declare-const s Real)
 (assert (>= (* 1.0 s) 0.0))
-(assert (>= (+ 1.0 (* (- 2.0) s)) 0.0))
+(assert (>= (+ (* (- 2.0) s) 1.0) 0.0))
 (assert (>= (+ (* (- 8.0) s s s s) (* 8.0 s s) (- 1.0)) 0.0))
 (assert (>= (+ (* (- 45.0) s) 16.0) 0.0))
 (check-sat)

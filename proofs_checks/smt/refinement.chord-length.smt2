@@ -1,4 +1,4 @@
-; refinement.chord-length: 16 a.m <= c makes a chord at least as long as (2 - c)/16, squared; c = cos 45
+; refinement.chord-length: 16 a.m <= c makes a chord at least sqrt((1 - c)/8) long; c = cos 45
 ; unsat proves it
 (set-logic QF_NRA)
 (declare-const ax Real)

@@ -9,5 +9,5 @@
 (assert (>= (* 1.0 b) 0.0))
 (assert (>= (+ (* (- 1.0) ux x) (* (- 1.0) uy y)) 0.0))
 (assert (> (+ (* 1.0 x x) (* 1.0 y y)) 0.0))
-(assert (> (+ (* 2.0 b ux x) (* (- 1.0) b b ux ux) (* 2.0 b uy y) (* (- 1.0) b b uy uy)) 0.0))
+(assert (> (+ (* (- 1.0) b b ux ux) (* (- 1.0) b b uy uy) (* 2.0 b ux x) (* 2.0 b uy y)) 0.0))
 (check-sat)

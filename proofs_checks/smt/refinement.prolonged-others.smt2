@@ -3,6 +3,6 @@
 (set-logic QF_NRA)
 (declare-const q Real)
 (assert (> (* 1.0 q) 0.0))
-(assert (>= (+ 2.0 (* (- 1.0) q q)) 0.0))
-(assert (>= (+ (- 3.0) (* 1.0 q)) 0.0))
+(assert (>= (+ (* (- 1.0) q q) 2.0) 0.0))
+(assert (>= (+ (* 1.0 q) (- 3.0)) 0.0))
 (check-sat)

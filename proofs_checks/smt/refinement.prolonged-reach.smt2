@@ -3,6 +3,6 @@
 (set-logic QF_NRA)
 (declare-const b Real)
 (assert (> (* 1.0 b) 0.0))
-(assert (>= (+ 1.0 (* (- 4.0) b)) 0.0))
-(assert (> (+ (- (/ 1.0 16.0)) (* 1.0 b b)) 0.0))
+(assert (>= (+ (* (- 4.0) b) 1.0) 0.0))
+(assert (> (+ (* 1.0 b b) (- (/ 1.0 16.0))) 0.0))
 (check-sat)

@@ -4,7 +4,7 @@
 (declare-const b Real)
 (declare-const s Real)
 (assert (>= (* 1.0 s) 0.0))
-(assert (>= (+ 1.0 (* (- 2.0) s)) 0.0))
+(assert (>= (+ (* (- 2.0) s) 1.0) 0.0))
 (assert (>= (+ (* 8.0 s s s s) (* (- 8.0) s s) 1.0) 0.0))
 (assert (>= (+ (* 3.0 b) (- 1.0)) 0.0))
 (assert (> (+ (* (- 12.0) b) 4.0) 0.0))

@@ -1,0 +1,178 @@
+"""Finds for people and programs: a table, JSON lines, files with pictures, and an HTML page."""
+
+import json
+import os
+import shlex
+from collections.abc import Iterable, Mapping
+from html import escape
+from typing import Any
+
+from exactmesh.claims.run import Run
+from exactmesh.errors import InputError
+from exactmesh.io.atomic import write_text
+from exactmesh.io.pslg_json import json_from_pslg
+from exactmesh.io.svg import svg_from_mesh
+from exactmesh.io.text import printable
+from exactmesh.planar.pslg import Pslg
+from exactmesh.report import table
+from exactmesh.search.corners import pslg_of
+from exactmesh.search.driver import worst_text
+from exactmesh.search.spec import Spec
+from exactmesh.search.targets import OBJECTIVES, target_of
+
+Find = Mapping[str, Any]
+_STYLE = ("body { font: 15px sans-serif; margin: 2em; max-width: 70em } svg { max-width: 36em; max-height: 24em } "
+          "table { border-collapse: collapse } td, th { padding: .2em .8em; text-align: left; vertical-align: top; "
+          "border-bottom: 1px solid #ccc } code { background: #eee } .no { color: #b00 }")
+
+
+def command_of(spec: Spec) -> str:
+    """Return the command that runs a spec, without limits of time and place."""
+    claim, construction, kind = spec.targets[0]
+    family = spec.family + "".join(f"{',' if i else ':'}{name}={value}"
+                                   for i, (name, value) in enumerate(spec.parameters))
+    if spec.plugin:
+        family = f"PLUGIN.py:{family}"
+    parts = ["exactmesh", "search", claim, "--construction", construction, "--kind", kind, "--strategy", spec.strategy,
+             "--family", family, "--seed", str(spec.seed)]
+    if spec.strategy != "exhaustive":
+        parts += ["--size", str(spec.size)]
+    if spec.shard != (0, 1):
+        parts += ["--shard", "{}/{}".format(*spec.shard)]
+    return shlex.join(parts)
+
+
+def show_command(find: Find, path: str) -> str:
+    """Return the command that shows a find whose polygon is in the file `path`."""
+    claim, construction, kind = find["claim"], find["construction"], find["kind"]
+    if claim in OBJECTIVES or kind != target_of(claim, construction).kind:
+        return shlex.join(["exactmesh", "mesh", path, "--construction", construction, "--kind", kind])
+    return shlex.join(["exactmesh", "claims", claim, "--on", path, "--construction", construction])
+
+
+def find_name(find: Find) -> str:
+    """Return the name of the files of a find."""
+    return f"{find['claim']}-{find['construction']}-{find['kind']}-{find['id']}"
+
+
+def find_record(find: Find) -> dict[str, object]:
+    """Return a find as one JSON object."""
+    spec = json.loads(find["spec"])
+    shown = json.loads(find["shown"])
+    return {"id": find["id"], "claim": find["claim"], "construction": find["construction"], "kind": find["kind"],
+            "label": find["label"], "confirmed": bool(find["confirmed"]), "confirmation": find["confirmation"],
+            "corners": json.loads(find["corners"]), "outcome": find["outcome"], "value": find["exact"],
+            "worst": shown.get("worst"), "witness": shown.get("witness"), "error": shown.get("error"),
+            "strategy": spec["strategy"], "family": spec["family"], "seed": spec["seed"], "task": find["task"],
+            "version": find["version"], "found_by": find["command"],
+            "shown_by": show_command(find, find_name(find) + ".json")}
+
+
+def finds_text(finds: Iterable[Find]) -> str:
+    """Return finds as a table."""
+    rows = [("id", "claim", "construction", "label", "checked", "corners", "worst", "polygon")]
+    for find in finds:
+        corners = json.loads(find["corners"])
+        text = " ".join(f"{x},{y}" for x, y in corners)
+        rows.append((str(find["id"]), find["claim"], find["construction"], find["label"],
+                     "agrees" if find["confirmed"] else "NO", str(len(corners)),
+                     worst_text(find), text if len(text) <= 60 else text[:57] + "..."))
+    return table(rows, right=(0, 5))
+
+
+def pslg_of_find(find: Find) -> Pslg:
+    """Return the polygon of a find, named after it."""
+    return pslg_of([tuple(corner) for corner in json.loads(find["corners"])], find_name(find))
+
+
+def picture(find: Find) -> str:
+    """Return the SVG of the mesh of a find, or of a classic mesh where the construction fails on it."""
+    pslg = pslg_of_find(find)
+    target = target_of(find["claim"], find["construction"], find["kind"])
+    for run in (Run(pslg, target.construction, target.kind), Run(pslg, "classic", "classic")):
+        try:
+            return svg_from_mesh(pslg, run.mesh, run.verification)
+        except Exception:  # a find may be a polygon on which the construction, or the program, fails
+            continue
+    return ""
+
+
+def export(finds: Iterable[Find], folder: str) -> list[str]:
+    """Write each find as a file and a picture into a folder; return the commands that show them."""
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{printable(folder)}: no folder can be made: {error.strerror or error}") from error
+    commands = []
+    for find in finds:
+        path = os.path.join(folder, find_name(find) + ".json")
+        write_text(path, json_from_pslg(pslg_of_find(find)))
+        write_text(path.removesuffix(".json") + ".svg", picture(find))
+        commands.append(show_command(find, path))
+    return commands
+
+
+def html_page(finds: Iterable[Find], title: str) -> str:
+    """Return a page with a picture and the facts of each find; it needs no other file."""
+    parts = [_head(title)]
+    for find in finds:
+        facts = [("worst", worst_text(find)), ("label", find["label"]), ("corners", find["corners"]),
+                 ("independent check", find["confirmation"]), ("found by", find["command"]),
+                 ("shown by", show_command(find, find_name(find) + ".json"))]
+        rows = "".join(f"<tr><th>{name}</th><td>{escape(str(value))}</td></tr>" for name, value in facts)
+        state = "" if find["confirmed"] else ' class="no"'
+        parts.append(f"<h2{state}>{find['id']}. {escape(find['claim'])}, {find['construction']}, {find['kind']}</h2>"
+                     f"<table>{rows}</table>{picture(find)}")
+    return "\n".join([*parts, "</body></html>", ""])
+
+
+def _head(title: str) -> str:
+    return (f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
+            f"<style>{_STYLE}</style></head><body><h1>{escape(title)}</h1>")
+
+
+def verification_record(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> dict[str, object]:
+    """Return the sums of a verification run, target by target, as JSON."""
+    claims = []
+    for (claim, construction, kind), total in sorted(rows.items()):
+        worst = total.worst
+        shown = json.loads(worst["shown"]) if worst else {}
+        claims.append({
+            "id": claim, "construction": construction, "kind": kind, "status": status_of(total),
+            "inputs": total.judged, "not_for": total.skipped, "instances": total.instances,
+            "violations": total.violations, "crashes": total.crashes, "worst": shown.get("worst"),
+            "witness": None if worst is None else {
+                "input": worst["input"], "corners": json.loads(worst["corners"]), "place": shown.get("witness")}})
+    return {"format": "exactmesh-verification-run/1", "claims": claims, "refused": refused}
+
+
+def status_of(total: Any) -> str:
+    """Return what the ledger says of a claim after a run."""
+    if total.violations:
+        return f"refuted by {total.violations} of {total.judged} inputs"
+    if total.crashes:
+        return f"not shown: the program fails on {total.crashes} of {total.judged} inputs"
+    return f"holds on {total.instances} instances" if total.instances else "open: no instance"
+
+
+def verification_text(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> str:
+    """Return the sums of a verification run as a table."""
+    lines = [("claim", "construction", "inputs", "status", "worst", "on")]
+    for (claim, construction, _), total in sorted(rows.items()):
+        on = (total.worst["input"] or total.worst["corners"]) if total.worst else ""
+        lines.append((claim, construction, str(total.judged), status_of(total), worst_text(total.worst),
+                      on if len(on) <= 60 else on[:57] + "..."))
+    return "\n".join([table(lines, right=(2,)), *(f"refused: {text}" for text in refused)])
+
+
+def verification_html(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> str:
+    """Return the sums of a verification run as a page."""
+    parts = [_head("Verification run"), "<table><tr><th>claim</th><th>construction</th><th>kind</th><th>inputs</th>"
+             "<th>status</th><th>worst</th><th>on</th></tr>"]
+    for key, total in sorted(rows.items()):
+        on = (total.worst["input"] or total.worst["corners"]) if total.worst else ""
+        cells = (*key, total.judged, status_of(total), worst_text(total.worst), on)
+        state = ' class="no"' if total.violations or total.crashes else ""
+        parts.append(f"<tr{state}>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in cells) + "</tr>")
+    parts += ["</table>", *(f"<p>refused: {escape(text)}</p>" for text in refused), "</body></html>", ""]
+    return "\n".join(parts)

@@ -1,0 +1,52 @@
+"""Do one task of a run: a function of its arguments alone, so that it may run anywhere and be repeated."""
+
+import json
+import random
+
+from exactmesh.io.pslg_json import pslg_from_json
+from exactmesh.search.collect import Collector, Json
+from exactmesh.search.corners import images
+from exactmesh.search.families import family_of, simple_sample
+from exactmesh.search.guided import guide
+from exactmesh.search.lattice import lattice_polygons
+from exactmesh.search.moves import climb
+from exactmesh.search.spec import Spec, lattice_range, prefix_list
+
+_WARMTH = 0.2
+
+
+def run_task(spec_text: str, key: str, payload: str = "") -> Json:
+    """Return the report of the task `key` of the run that `spec_text` describes."""
+    spec = Spec.from_json(spec_text)
+    collector = Collector(spec.target_records())
+    source = random.Random(f"{spec.seed} {spec.family} {key}")
+    if spec.strategy == "exhaustive":
+        _exhaust(spec, key, collector)
+    elif spec.strategy == "inputs":
+        for text in json.loads(payload):
+            collector.see_input(pslg_from_json(text))
+    elif spec.strategy == "guided":
+        guide(collector.see, spec.size, source.getrandbits(64))
+    else:
+        _sample(spec, source, collector)
+    return collector.result(key, spec.shrinks)
+
+
+def _exhaust(spec: Spec, key: str, collector: Collector) -> None:
+    """Judge all polygons of one prefix, each in all different positions unless one is enough."""
+    _, m, straight, all_images = lattice_range(spec)
+    n, index = map(int, key.split(":"))
+    for polygon in lattice_polygons(n, m, prefix_list(m)[index], straight):
+        for image in sorted(set(images(polygon))) if all_images else [polygon]:
+            collector.see(image)
+
+
+def _sample(spec: Spec, source: random.Random, collector: Collector) -> None:
+    """Judge random polygons, or walk from one."""
+    family = family_of(spec.family, dict(spec.parameters), spec.plugin)
+    if spec.strategy == "random":
+        for _ in range(spec.size):
+            if (polygon := simple_sample(family, source)) is not None:
+                collector.see(polygon)
+    elif (start := simple_sample(family, source)) is not None:
+        climb(start, collector.see, spec.size, source, _WARMTH if spec.strategy == "anneal" else 0.0)

@@ -1,0 +1,13 @@
+; caps.k1-out-up-4.ahead: k1, e' out, up, vertex 4 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(declare-const dy Real)
+(declare-const dz Real)
+(assert (>= (+ (* (- (/ 667.0 2000.0)) dy) (* (- (/ 29.0 125.0)) dx)) 0.0))
+(assert (>= (* (/ 29.0 125.0) dx) 0.0))
+(assert (> (* 1.0 dy) 0.0))
+(assert (>= (* 1.0 dz) 0.0))
+(assert (>= (+ (* (- (/ 817.0 1000.0)) dx) (* (- (/ 29.0 125.0)) dz)) 0.0))
+(assert (> (+ (* 1.0 dx dx) (* 1.0 dz dz)) 0.0))
+(check-sat)

@@ -1,0 +1,13 @@
+; caps.k2-in-down-2.ahead: k2, e' in, down, vertex 2 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(declare-const dy Real)
+(declare-const dz Real)
+(assert (>= (* (- (/ 3.0 20.0)) dy) 0.0))
+(assert (>= (+ (* (/ 667.0 2000.0) dy) (* (/ 29.0 125.0) dx)) 0.0))
+(assert (> (* (- 1.0) dy) 0.0))
+(assert (>= (* (- 1.0) dz) 0.0))
+(assert (>= (+ (* (- (/ 667.0 2000.0)) dx) (* (/ 58.0 125.0) dz)) 0.0))
+(assert (> (+ (* 1.0 dx dx) (* 1.0 dz dz)) 0.0))
+(check-sat)

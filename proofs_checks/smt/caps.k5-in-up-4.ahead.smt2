@@ -1,0 +1,14 @@
+; caps.k5-in-up-4.ahead: k5, e' in, up, vertex 4 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(declare-const dy Real)
+(declare-const dz Real)
+(assert (>= (+ (* (/ 667.0 2000.0) dy) (* (/ 29.0 125.0) dx)) 0.0))
+(assert (>= (* (- (/ 29.0 125.0)) dx) 0.0))
+(assert (> (* 1.0 dy) 0.0))
+(assert (>= (* 1.0 dz) 0.0))
+(assert (>= (+ (* (- (/ 817.0 1000.0)) dx) (* (- (/ 29.0 125.0)) dz)) 0.0))
+(assert (> (+ (* 1.0 dx dx) (* 1.0 dz dz)) 0.0))
+(assert (> (+ (* (- (/ 7831.0 250000.0)) dx dx) (* (/ 23693.0 62500.0) dx dz) (* (- (/ 644989.0 1000000.0)) dz dz)) 0.0))
+(check-sat)

@@ -1,0 +1,9 @@
+; caps.k5-out-level-3.ahead: k5, e' out, level, vertex 3 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(assert (>= (* (/ 29.0 125.0) dx) 0.0))
+(assert (>= (* (- (/ 29.0 125.0)) dx) 0.0))
+(assert (>= (* (/ 817.0 1000.0) dx) 0.0))
+(assert (> (* 1.0 dx dx) 0.0))
+(check-sat)

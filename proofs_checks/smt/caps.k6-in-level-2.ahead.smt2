@@ -1,0 +1,9 @@
+; caps.k6-in-level-2.ahead: k6, e' in, level, vertex 2 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(assert (>= 0.0 0.0))
+(assert (>= (* (- (/ 29.0 125.0)) dx) 0.0))
+(assert (>= (* (/ 667.0 2000.0) dx) 0.0))
+(assert (> (* 1.0 dx dx) 0.0))
+(check-sat)

@@ -1,0 +1,10 @@
+; caps.k6-in-level-3.ahead: k6, e' in, level, vertex 3 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(assert (>= 0.0 0.0))
+(assert (>= (* (- (/ 29.0 125.0)) dx) 0.0))
+(assert (>= 0.0 0.0))
+(assert (> (* 1.0 dx dx) 0.0))
+(assert (> (* (- (/ 115479.0 250000.0)) dx dx) 0.0))
+(check-sat)

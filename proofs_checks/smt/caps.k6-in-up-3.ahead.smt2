@@ -1,0 +1,14 @@
+; caps.k6-in-up-3.ahead: k6, e' in, up, vertex 3 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(declare-const dy Real)
+(declare-const dz Real)
+(assert (>= (* (/ 3.0 20.0) dy) 0.0))
+(assert (>= (+ (* (- (/ 667.0 2000.0)) dy) (* (- (/ 29.0 125.0)) dx)) 0.0))
+(assert (> (* 1.0 dy) 0.0))
+(assert (>= (* 1.0 dz) 0.0))
+(assert (>= (* (- (/ 87.0 125.0)) dz) 0.0))
+(assert (> (+ (* 1.0 dx dx) (* 1.0 dz dz)) 0.0))
+(assert (> (+ (* (- (/ 115479.0 250000.0)) dx dx) (* (/ 9.0 400.0) dz dz)) 0.0))
+(check-sat)

@@ -1,0 +1,14 @@
+; caps.k6-out-up-2.ahead: k6, e' out, up, vertex 2 steps away; the foot is on the ray
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const dx Real)
+(declare-const dy Real)
+(declare-const dz Real)
+(assert (>= (* (/ 3.0 20.0) dy) 0.0))
+(assert (>= (+ (* (- (/ 667.0 2000.0)) dy) (* (- (/ 29.0 125.0)) dx)) 0.0))
+(assert (> (* 1.0 dy) 0.0))
+(assert (>= (* 1.0 dz) 0.0))
+(assert (>= (+ (* (/ 967.0 2000.0) dx) (* (/ 29.0 125.0) dz)) 0.0))
+(assert (> (+ (* 1.0 dx dx) (* 1.0 dz dz)) 0.0))
+(assert (> (+ (* (- (/ 7831.0 250000.0)) dx dx) (* (/ 28043.0 125000.0) dx dz) (* (- (/ 845089.0 4000000.0)) dz dz)) 0.0))
+(check-sat)

@@ -1,0 +1,12 @@
+; clean.a1-below: r > 0 and the foot of BL farther than g below BR: F or more from the line
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const b Real)
+(declare-const r Real)
+(assert (>= (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (> (* 1.0 r) 0.0))
+(assert (> (+ (* 1.0 H b r) (* (- (/ 29.0 125.0)) r r) (* (- (/ 29.0 125.0)) H H)) 0.0))
+(assert (> (+ (* (- 1.0) H H b b) (* (/ 358801.0 100000000.0) r r) (* (/ 358801.0 100000000.0) H H)) 0.0))
+(check-sat)

@@ -1,0 +1,12 @@
+; clean.a1-over: r <= 0 and the foot of BL beyond the right leg: at distance F or more from its line
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const b Real)
+(declare-const r Real)
+(assert (>= (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (* (- 1.0) r) 0.0))
+(assert (> (+ (* (- 1.0) b r) (* (- 1.0) r r) (* (- 1.0) H H)) 0.0))
+(assert (> (+ (* (- 1.0) H H b b) (* (/ 358801.0 100000000.0) r r) (* (/ 358801.0 100000000.0) H H)) 0.0))
+(check-sat)

@@ -1,0 +1,11 @@
+; clean.a2-lower.area: good BL: triangle BL, BR, TR: counter-clockwise
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const b Real)
+(declare-const x Real)
+(assert (> (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* 1.0 H H b b) (* (- (/ 841.0 250000.0)) x x) (* (/ 841.0 125000.0) b x) (* (- (/ 841.0 250000.0)) b b) (* (- (/ 841.0 250000.0)) H H)) 0.0))
+(assert (>= (* (- 1.0) H b) 0.0))
+(check-sat)

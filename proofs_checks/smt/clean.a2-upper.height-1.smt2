@@ -1,0 +1,15 @@
+; clean.a2-upper.height-1: good BL and TL, a >= b: triangle BL, TR, TL: the height from corner 1
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const x Real)
+(assert (> (* 1.0 a) 0.0))
+(assert (> (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* 1.0 a) (* (- 1.0) b)) 0.0))
+(assert (>= (+ (* 1.0 H H b b) (* (- (/ 841.0 250000.0)) x x) (* (/ 841.0 125000.0) b x) (* (- (/ 841.0 250000.0)) b b) (* (- (/ 841.0 250000.0)) H H)) 0.0))
+(assert (>= (+ (* 1.0 H H a a) (* (- (/ 841.0 250000.0)) x x) (* (/ 841.0 125000.0) b x) (* (- (/ 841.0 250000.0)) b b) (* (- (/ 841.0 250000.0)) H H)) 0.0))
+(assert (> (+ (* (- 1.0) H H a a) (* (/ 841.0 390625.0) a a)) 0.0))
+(check-sat)

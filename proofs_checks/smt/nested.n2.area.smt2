@@ -1,0 +1,18 @@
+; nested.n2.area: T-vertex and its two apexes, heights 0.2 to 0.6: counter-clockwise
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const p Real)
+(declare-const q Real)
+(declare-const t Real)
+(declare-const v Real)
+(declare-const y Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 2.0 p) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 2.0 q) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (/ 3.0 5.0) (* (- 1.0) y)) 0.0))
+(assert (>= (+ (* 1.0 v) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (/ 3.0 5.0) (* (- 1.0) v)) 0.0))
+(assert (>= (+ (* (- 1.0) p v) (* (- 1.0) q y)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; nested.n2.height-2: T-vertex and its two apexes, heights 0.2 to 0.6: the height from corner 2
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const p Real)
+(declare-const q Real)
+(declare-const t Real)
+(declare-const v Real)
+(declare-const y Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 2.0 p) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 2.0 q) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (/ 3.0 5.0) (* (- 1.0) y)) 0.0))
+(assert (>= (+ (* 1.0 v) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (/ 3.0 5.0) (* (- 1.0) v)) 0.0))
+(assert (> (+ (* (- 1.0) p p v v) (* (- 2.0) p q v y) (* (- 1.0) q q y y) (* 1.0 p p t t) (* 2.0 p q t t) (* 1.0 q q t t) (* 1.0 t t y y) (* (- 2.0) t t v y) (* 1.0 t t v v)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; nested.n3.area: (A, E, a), a on A-F beyond f/2: counter-clockwise
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const t Real)
+(declare-const x Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 1.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 f) (* (- 2.0) e)) 0.0))
+(assert (>= (+ (* 2.0 x) (- 1.0)) 0.0))
+(assert (>= (+ 1.0 (* (- 1.0) x)) 0.0))
+(assert (>= (+ (* (/ 4.0 5.0) e x) (* (- (/ 4.0 5.0)) f x)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; nested.n3m: a member against the line A-F
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const t Real)
+(declare-const y Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 1.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 f) (* (- 2.0) e)) 0.0))
+(assert (>= (+ (* 2.0 y) (- 1.0)) 0.0))
+(assert (>= (+ 1.0 (* (- 1.0) y)) 0.0))
+(assert (> (+ (* (- (/ 16.0 25.0)) f f y y) (* (/ 32.0 25.0) e f y y) (* (- (/ 16.0 25.0)) e e y y) (* (/ 3448449.0 100000000.0) f f) (/ 3448449.0 156250000.0)) 0.0))
+(check-sat)

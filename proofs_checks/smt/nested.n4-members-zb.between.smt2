@@ -1,0 +1,18 @@
+; nested.n4-members-zb.between: a member, k t or more before z, against z-B; the foot lies on the segment
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const e Real)
+(declare-const t Real)
+(declare-const y Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 1.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 D) (- 1.0) (* (- 1.0) e)) 0.0))
+(assert (>= (+ (* 1.0 D) (- 4.0)) 0.0))
+(assert (>= (+ (* 2.0 y) (- 1.0)) 0.0))
+(assert (>= (+ 1.0 (* (- 1.0) y)) 0.0))
+(assert (>= (+ (* 1.0 e) (* (- 1.0) e y) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 D e y) (* (- 1.0) e e y) (* (- 1.0) D e) (* 1.0 e e) (/ 16.0 25.0) (* (- (/ 16.0 25.0)) y)) 0.0))
+(assert (>= (+ (* 1.0 D D) (* (- 1.0) D e) (* (- 1.0) D e y) (* 1.0 e e y) (* (/ 16.0 25.0) y)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; nested.n5-narrow.area: fan to 0 <= u <= 2, gap up to 2: counter-clockwise
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const e Real)
+(declare-const t Real)
+(declare-const u Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 e) (* (- 1.0) u) (* (- (/ 1.0 2.0)) W)) 0.0))
+(assert (>= (+ (* 2.0 u) (* 1.0 W) (* (- 1.0) e)) 0.0))
+(assert (>= (* 1.0 u) 0.0))
+(assert (>= (+ 2.0 (* (- 1.0) u)) 0.0))
+(assert (>= (+ (* 1.0 u) (* 1.0 W) (- 2.0)) 0.0))
+(assert (>= (+ 2.0 (* (- 1.0) W)) 0.0))
+(assert (>= (+ (* (/ 4.0 5.0) e u u) (* (/ 2.0 5.0) W e u) (* (- 1.0) e e u) (* (- (/ 1.0 2.0)) W e e)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; nested.n5-narrow.height-3: fan to 0 <= u <= 2, gap up to 2: the height from corner 3
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const e Real)
+(declare-const t Real)
+(declare-const u Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 e) (* (- 1.0) u) (* (- (/ 1.0 2.0)) W)) 0.0))
+(assert (>= (+ (* 2.0 u) (* 1.0 W) (* (- 1.0) e)) 0.0))
+(assert (>= (* 1.0 u) 0.0))
+(assert (>= (+ 2.0 (* (- 1.0) u)) 0.0))
+(assert (>= (+ (* 1.0 u) (* 1.0 W) (- 2.0)) 0.0))
+(assert (>= (+ 2.0 (* (- 1.0) W)) 0.0))
+(assert (> (+ (* (- (/ 16.0 25.0)) e e u u u u) (* (- (/ 16.0 25.0)) W e e u u u) (* (/ 8.0 5.0) e e e u u u) (* (/ 8.0 5.0) W e e e u u) (* (- (/ 4.0 25.0)) W W e e u u) (* (/ 2.0 5.0) W W e e e u) (* (- 1.0) e e e e u u) (* (- 1.0) W e e e e u) (* (- (/ 1.0 4.0)) W W e e e e) (* 1.0 e e e e t t u u) (* 1.0 e e e e t t)) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; nested.n5-out-wide.height-3: leg outwards, u > 2, gap from 2 on: the height from corner 3
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const e Real)
+(declare-const t Real)
+(declare-const u Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- (/ 603.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 e) (* (- 1.0) u) (* (- 1.0) W) 1.0) 0.0))
+(assert (>= (+ (* 2.0 u) (* 2.0 W) (- 2.0) (* (- 1.0) e)) 0.0))
+(assert (>= (+ (* 1.0 u) (- 2.0)) 0.0))
+(assert (>= (+ (* 1.0 W) (- 2.0)) 0.0))
+(assert (> (+ (* (- (/ 16.0 25.0)) e e u u u u) (* (- (/ 32.0 25.0)) W e e u u u) (* (/ 32.0 25.0) e e u u u) (* (/ 8.0 5.0) e e e u u u) (* (/ 16.0 5.0) W e e e u u) (* (- (/ 16.0 5.0)) e e e u u) (* (- (/ 16.0 25.0)) W W e e u u) (* (/ 32.0 25.0) W e e u u) (* (/ 8.0 5.0) W W e e e u) (* (- (/ 16.0 5.0)) W e e e u) (* (- (/ 16.0 25.0)) e e u u) (* (/ 8.0 5.0) e e e u) (* (- 1.0) e e e e u u) (* (- 2.0) W e e e e u) (* 2.0 e e e e u) (* (- 1.0) W W e e e e) (* 2.0 W e e e e) (* (- 1.0) e e e e) (* 1.0 e e e e t t u u) (* 1.0 e e e e t t)) 0.0))
+(check-sat)

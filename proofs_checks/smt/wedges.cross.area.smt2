@@ -1,0 +1,12 @@
+; wedges.cross.area: cross edge: apex above a base of F or more: counter-clockwise
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const s Real)
+(declare-const x Real)
+(assert (>= (+ (* 1.0 s) (- (/ 599.0 10000.0))) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* 1.0 s) (* (- 1.0) x)) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (* (- 1.0) H s) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; wedges.r-br.height-2: BL, BR, TR, BR a vertex of Q off the left leg: the height from corner 2
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const M Real)
+(declare-const b Real)
+(declare-const s Real)
+(assert (>= (+ (* 1.0 s) (- (/ 3.0 20.0))) 0.0))
+(assert (>= (+ (* 2.0 H) (* (- 1.0) M) (* 1.0 s)) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (> (+ (* (- 2.0) H) (* 1.0 M)) 0.0))
+(assert (> (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 M) (* 1.0 b) (* (- 1.0) s)) 0.0))
+(assert (>= (+ (* 1.0 H H b b) (* (- (/ 358801.0 100000000.0)) H H) (* (- (/ 358801.0 100000000.0)) M M)) 0.0))
+(assert (> (+ (* (- 1.0) H H b b) (* (/ 841.0 390625.0) H H) (* (- (/ 1682.0 390625.0)) M s) (* (/ 841.0 390625.0) M M) (* (/ 841.0 390625.0) s s)) 0.0))
+(check-sat)

@@ -1,0 +1,67 @@
+"""The command `exactmesh prove`: what it prints, its exit status, and that it can fail."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from exactmesh import cli
+from exactmesh.claims.ledger import CLAIMS
+from exactmesh.claims.status import ledger
+from exactmesh.proofs import prove as prove_module
+from exactmesh.proofs import registry
+from exactmesh.proofs.engines import ENGINES, Engine, installed
+from exactmesh.proofs.registry import groups, is_proved
+
+
+def test_fast_mode_re_checks_all_certificates(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["prove", "--fast", "--quiet"]) == 0
+    assert "certificate: " in capsys.readouterr().out
+
+
+def test_json_has_the_keys_of_the_formats_document(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["prove", "lemma-1.side-distance", "--fast", "--json", "--quiet"]) == 0
+    proofs = json.loads(capsys.readouterr().out)["proofs"]
+    assert proofs and all({"claim", "method", "result", "seconds", "certificate"} <= set(proof) for proof in proofs)
+    assert {proof["result"] for proof in proofs} == {"proved"}
+
+
+def test_an_unknown_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["prove", "no-such-claim", "--fast"]) == 2
+    assert "no-such-claim" in capsys.readouterr().err
+
+
+def test_a_proof_that_fails_is_an_exit_status(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+                                              ) -> None:
+    group = groups()[0]
+    broken = replace(group, problems=tuple(replace(p, certificate={"kind": "boxes", "variables": [], "tree": []})
+                                           for p in group.problems))
+    for module in (prove_module, registry):
+        monkeypatch.setattr(module, "groups", lambda: (broken,))
+    assert cli.main(["prove", "--fast", "--quiet"]) == 1
+    assert "NOT PROVED" in capsys.readouterr().out
+
+
+def test_nothing_is_both_proved_and_refuted() -> None:
+    proved = [claim for claim in CLAIMS if is_proved(claim.id)]
+    assert proved
+    for claim in proved:
+        assert not claim.witness, f"{claim.id} is proved, and a witness is meant to refute it"
+
+
+def test_the_ledger_says_proved() -> None:
+    claim = next(claim for claim in CLAIMS if claim.id == "lemma-1.degradation")
+    entry, = ledger([claim])
+    assert entry.status == "proved"
+    assert replace(entry, proved=False).status == "holds"
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_engines_answer(engine: str) -> None:
+    if not installed(engine):
+        pytest.skip(f"{engine} is not installed")
+    script = "(set-logic QF_NRA)\n(declare-const x Real)\n(assert (< (* x x) {}))\n(check-sat)\n"
+    with Engine(engine, 5) as running:
+        assert running.answer(script.format("0.0")) == "unsat"
+        assert running.answer(script.format("1.0")) == "sat"
+        assert running.answer("(assert nonsense)").startswith("error")
