@@ -6,7 +6,7 @@
  * Exit status: 0 valid, 1 invalid, 2 usage, a file that cannot be read, or no memory. docs/certificate.md describes the
  * format and proves, clause by clause, that what is accepted is true.
  *
- * Integers of any size, nothing is rounded; no recursion. Memory is linear in the files. Little is freed before the
+ * Integers of any size, nothing is rounded; no recursion. Memory is linear in the files. Nothing is freed before the
  * end: the program runs once.
  */
 
@@ -968,13 +968,13 @@ static void check_tiling(void) {
 
 /* Each vertex is on a face, each new one of the mesh on a face of the mesh. */
 static void check_use(void) {
-    unsigned char *used = memset(room_for(NULL, (size_t)size, 1), 0, (size_t)size);
+    static unsigned char *used; /* in a static place, so that it is no leak when the program ends early */
     int64_t h;
+    used = memset(room_for(NULL, (size_t)size, 1), 0, (size_t)size);
     for (h = 0; h < half_edges; h++)
         if (h < start[meshed] || origin[h] < given || origin[h] >= watched) used[origin[h]] = 1;
     for (h = 0; h < size; h++)
         if (!used[h]) refuse("unused-vertex", "vertex %lld", (long long)h);
-    free(used);
 }
 
 /* Return the place of the first of the sorted keys that is not less. */

@@ -24,6 +24,7 @@ from exactmesh.claims.run import ConstructionName, Run, construction_for
 from exactmesh.claims.status import ledger
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.data import EXAMPLES
+from exactmesh.dissection.assembly import animation_from_dissection, cut_sheet_from_dissection
 from exactmesh.dissection.dissect import dissect
 from exactmesh.dissection.dissection_json import json_from_dissection, read_dissection
 from exactmesh.dissection.lower_bound import rectangle_rows, rectangles_json, rectangles_text
@@ -176,6 +177,8 @@ def _parser() -> argparse.ArgumentParser:
     command.add_argument("-o", "--output", metavar="PIECES", required=True,
                          help="write the pieces (exactmesh-dissection/1)")
     command.add_argument("--svg", metavar="S", help="write a picture of all polygons side by side")
+    command.add_argument("--animation", metavar="A", help="write an SVG in which the pieces move from one to the next")
+    command.add_argument("--cut-sheet", metavar="C", help="write an A4 page to print and cut, as SVG")
     command.add_argument("--scale", action="store_true",
                          help="scale all but the first to the area of the first, exactly")
     command.add_argument("--kind", choices=DISSECTION_KINDS,
@@ -424,19 +427,23 @@ def _prove(args: argparse.Namespace) -> int:
 
 
 def _dissect(args: argparse.Namespace) -> int:
-    if args.output == "" or args.svg == "":
+    drawings = ((args.svg, svg_from_dissection), (args.animation, animation_from_dissection),
+                (args.cut_sheet, cut_sheet_from_dissection))
+    outputs = [args.output, *(path for path, _ in drawings if path is not None)]
+    if "" in outputs:
         raise InputError("the name of an output file is empty")
-    if args.output == args.svg:
+    if len(set(outputs)) < len(outputs):
         raise InputError("two results cannot go to one place: give each its own file")
     with Progress(args.quiet) as progress:
         progress("reading")
         result = dissect(_polygons(args.files), args.scale, args.kind, progress)
         progress("writing")
         write_text(args.output, json_from_dissection(result.dissection))
-        if args.svg:
-            write_text(args.svg, svg_from_dissection(result.dissection))
+        for path, drawing in drawings:
+            if path is not None:
+                write_text(path, drawing(result.dissection))
     if not args.quiet:
-        print(dissected_text(result), file=sys.stderr if "-" in (args.output, args.svg) else sys.stdout)
+        print(dissected_text(result), file=sys.stderr if "-" in outputs else sys.stdout)
     return HOLDS
 
 

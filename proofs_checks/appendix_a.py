@@ -18,7 +18,7 @@ By hand two edges that do not cross are nearest at an end of one of them, so dis
 """
 
 from gmpy2 import mpq
-from kit import Hint, Theorem, at_least, bounded, equal, main, more, square, states
+from kit import Hint, Theorem, at_least, bounded, equal, main, more, refuted, square, states
 
 from exactmesh.proofs.polynomial import variables
 
@@ -101,7 +101,19 @@ TRIANGLE = [
             (*sides, more(e, 2 * r), at_least(2 * r, 1)),
             lambda f: at_least(3 * e * e * (4 * r - 1)**2, 4 * r * r * square(f))),
 ]
-STATEMENTS = [*CSC, *DEPTH, *ONE_REFLEX, *UNIT, *REACH, *OBTUSE, *ACUTE, *FORMULA, *TRIANGLE]
+NOT_HALF = [
+    refuted("appendix-a.triangle-13-14-15", "in a triangle with heights of 1 or more |e'| = (X + Y)(1 - 1/(4 r)) >= 1/2",
+            (more(X), more(Y), more(Z), more(4 * r, 1), equal(r * r * (X + Y + Z), X * Y * Z),
+             at_least(2 * r * (X + Y + Z), Y + Z), at_least(2 * r * (X + Y + Z), X + Z),
+             at_least(2 * r * (X + Y + Z), X + Y)),
+            at_least((X + Y) * (4 * r - 1), 2 * r), {"X": "15/28", "Y": "5/8", "Z": "5/7", "r": "5/14"}),
+]
+NOT_ONE = [
+    refuted("appendix-a.two-acute-not-one", "both angles acute, y1 and y2 at distance 1 or more: |e'| > 1",
+            (more(k, 1), more(j, 1),
+             at_least(2 * k * j * L - j * (k * k - 1) - k * (j * j - 1), 2 * k * j)), more(L - (k + j) / 4, 1)),
+]
+STATEMENTS = [*NOT_HALF, *NOT_ONE, *CSC, *DEPTH, *ONE_REFLEX, *UNIT, *REACH, *OBTUSE, *ACUTE, *FORMULA, *TRIANGLE]
 GEOMETRY = ("mfs(P) = 1; coordinates along e as in the script; a distance is to an edge's line where the foot is on it "
             "and to its nearer end elsewhere; two edges that do not cross are nearest at an end of one of them. ")
 
@@ -111,10 +123,15 @@ def names(*parts: list) -> tuple[str, ...]:
     return tuple(statement.id for part in parts for statement in part)
 
 
+GROUP = "appendix-a"
 THEOREMS = [
     Theorem("appendix-a.offset-edge-length", "corrected", "1/2 for n >= 4, sqrt(3)/6 for triangles",
-            names(STATEMENTS), GEOMETRY + "Cases by which ends are reflex, acute, neither.",
+            names(CSC, DEPTH, ONE_REFLEX, OBTUSE, ACUTE, FORMULA, TRIANGLE), GEOMETRY + "Cases by which ends are reflex, acute, neither.",
             "1/2: unit square; sqrt(3)/6: the infimum over triangles, attained by the equilateral one"),
+    Theorem("appendix-a.offset-edge-length", "refuted", "false of the triangle with sides 13, 14, 15", names(NOT_HALF),
+            "X, Y, Z, r as in the script; twice the area over a side is the height on it."),
+    Theorem("appendix-a.both-angles-acute", "refuted", "|e'| > 1 does not follow from the distances used",
+            names(NOT_ONE), GEOMETRY + "The witness of the ledger is a trapezoid of this kind."),
     Theorem("appendix-a.one-end-reflex", "claim", "|e'| >= sqrt(2)/2 > 1/2", names(CSC, ONE_REFLEX), GEOMETRY +
             "Triangles have no reflex corner.", "sqrt(2)/2 is approached at k = sqrt 2"),
     Theorem("appendix-a.unit-edge-angles", "claim", "|e| = 1 makes both angles 90 degrees or more", names(CSC, UNIT),
@@ -131,4 +148,4 @@ THEOREMS = [
 ]
 
 if __name__ == "__main__":
-    main("appendix-a", THEOREMS, STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

@@ -75,6 +75,7 @@ class Statement:
     hint: Hint = PLAIN
     sharpen: bool = True
     sharp: Mapping[str, str] | None = None
+    true: bool = True
 
 
 def states(id_: str, says: str, hypotheses: Iterable[Constraint], conclusion: Constraint | None,
@@ -88,6 +89,12 @@ def bounded(id_: str, says: str, hypotheses: Iterable[Constraint], conclude: Cal
             hint: Hint = PLAIN, sharp: Mapping[str, str] | None = None) -> Statement:
     """Return a statement whose bound can be sharpened by a factor."""
     return Statement(id_, says, tuple(hypotheses), conclude, hint, sharp=sharp)
+
+
+def refuted(id_: str, says: str, hypotheses: Iterable[Constraint], conclusion: Constraint,
+            at: Mapping[str, str] | None = None) -> Statement:
+    """Return a statement that is false, at the given point or at one to be found."""
+    return Statement(id_, says, tuple(hypotheses), lambda factor: conclusion, sharpen=False, sharp=at, true=False)
 
 
 def keeps_distance(id_: str, says: str, hypotheses: Sequence[Constraint], p: Spot, a: Spot, b: Spot,
@@ -124,11 +131,16 @@ def settle(statement: Statement, old: Problem | None) -> Problem:
             try:
                 old.check_certificate()
                 old.check_guards()
-                if statement.sharp is None or (old.stronger and old.stronger.factor == "101/100"):
+                if not statement.true or statement.sharp is None or (old.stronger and old.stronger.factor == "101/100"):
                     return old
             except Refused:
                 pass
     problem = Problem(statement.id, statement.says, hypotheses, conclusion)
+    if not statement.true:
+        at = ({name: mpq(text) for name, text in statement.sharp.items()} if statement.sharp
+              else example_of(problem.assumptions()))
+        return problem if at is None else replace(problem, example=at, certificate={
+            "kind": "counterexample", "at": {name: str(value) for name, value in at.items()}})
     if conclusion is not None:
         example = example_of(hypotheses)
         if example is None:
@@ -174,6 +186,8 @@ def main(name: str, theorems: Iterable[Theorem], statements: Iterable[Statement]
         path.write_text(json.dumps(json_from_group(group), indent=1) + "\n", encoding="utf-8")
         folder = HERE / "smt"
         folder.mkdir(exist_ok=True)
+        for stale in {path.stem for path in folder.glob(f"{name}.*.smt2")} - {problem.id for problem in problems}:
+            (folder / f"{stale}.smt2").unlink()
         for problem in problems:
             (folder / f"{problem.id}.smt2").write_text(problem.smt_lib(), encoding="utf-8")
 

@@ -33,10 +33,13 @@ STATEMENTS = [
             Hint(squares=(2 * r * (cx - bx) - (d - 2 * r) * bx, 2 * r * (cy - by) - (d - 2 * r) * by), degrees=(4,))),
 ]
 
+GROUP = "lemma-2"
+THEOREMS = [Theorem(
+    "lemma-2.perturbation", "claim", "every distance of a vertex from an edge without it is at least (1 - 2 a) d",
+    tuple(statement.id for statement in STATEMENTS),
+    "Distances of two vertices count where a vertex is on no edge that meets another, and move in the same way. The "
+    "drawing is kept because the bound holds all along the straight motion from G to G'.",
+    "attained for every a: p and an edge at distance d move towards each other by a d")]
+
 if __name__ == "__main__":
-    main("lemma-2", [Theorem(
-        "lemma-2.perturbation", "claim", "every distance of a vertex from an edge without it is at least (1 - 2 a) d",
-        tuple(statement.id for statement in STATEMENTS),
-        "Distances of two vertices count where a vertex is on no edge that meets another, and move in the same way. "
-        "The drawing is kept because the bound holds all along the straight motion from G to G'.",
-        "attained for every a: p and an edge at distance d move towards each other by a d")], STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

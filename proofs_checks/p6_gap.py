@@ -39,16 +39,19 @@ STATEMENTS = [
             (*HYPOTHESES, at_least(H, mpq(10, 21))),
             lambda f: more(AREA * AREA * WIDE * WIDE, square(f) * mpq(16, 25) * LENGTH)),
 ]
-FAMILY = ("The vertices of P4 of the hexagon are given in L by hand: only the two right ones move with L, levels do not "
-          "depend on it; the tests compare with the construction for several L, both spacings, both rules.")
+FAMILY = ("The vertices of P4 of the hexagon are given in L by hand: only the two right ones move with L, levels "
+          "do not depend on it; the tests compare with the construction for several L, both spacings, both rules.")
 TIGHT = "the distance times L - 1/2 tends to (2 T - 1/2) H <= 18/17: the growth is linear"
 
+NAMES = tuple(statement.id for statement in STATEMENTS)
+GROUP = "p6-gap"
+THEOREMS = [
+    Theorem("section-2.p6-degradation", "refuted", "the degradation grows with L without a bound", NAMES,
+            FAMILY + " mfs(P5) does not decrease with L, because its vertices keep their places or move apart.", TIGHT),
+    Theorem("section-2.interior-feature-size", "refuted", "the Interior keeps no constant", NAMES, FAMILY, TIGHT),
+    Theorem("theorem-1.degradation", "refuted", "the published construction has no constant degradation", NAMES,
+            FAMILY, TIGHT),
+]
+
 if __name__ == "__main__":
-    names = tuple(statement.id for statement in STATEMENTS)
-    main("p6-gap", [
-        Theorem("section-2.p6-degradation", "refuted", "the degradation grows with L without a bound", names,
-                FAMILY + " mfs(P5) does not decrease with L, because its vertices keep their places or move apart.",
-                TIGHT),
-        Theorem("section-2.interior-feature-size", "refuted", "the Interior keeps no constant", names, FAMILY, TIGHT),
-        Theorem("theorem-1.degradation", "refuted", "the published construction has no constant degradation", names,
-                FAMILY, TIGHT)], STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

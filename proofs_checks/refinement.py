@@ -6,8 +6,8 @@ Given   v, a reflex vertex at the origin, mfs(P) = 1; a, m on the circle of radi
 Claim   P3 keeps 1/(4 sqrt 2) from P; prolonged edges keep more than 1/4 from P and stay within sqrt(2)/4 of v;
         mfs(P3) >= 1/d3 = s/2; snapping by 1/(4 d3) leaves mfs(P4) >= 1/(2 d3), and 1/(4 sqrt 2) - 1/(4 d3) to P;
         8 d3 = 16/s < 45 with this reading, 8 d3 = 32 sqrt 2 > 45 with d3 = 4 sqrt 2.
-Method  chords: |(1-t) a + t m|^2 = (1-t)^2/16 + t^2/16 + 2 t (1-t) a.m, a.m >= 0. `nearest-end`: where an angle is 90
-        degrees or more, the nearest point of the other leg is the vertex.
+Method  chords, turned so that a = (1/4,0): |(1-t) a + t m|^2 = (1-t)^2/16 + t^2/16 + 2 t (1-t) a.m, a.m >= 0.
+        `nearest-end`: where an angle is 90 degrees or more, the nearest point of the other leg is the vertex.
         mfs(P3), n >= 4: a point of P3 is within sqrt(2)/4 of what it comes from, an edge or a vertex of P. A vertex of
         P3 and an edge of P3 that come from disjoint features are 1 - sqrt(2)/2 or more apart; that is all pairs but
         those at one reflex vertex, where all angles of P3 are obtuse and the nearest point is an end: chords are
@@ -24,14 +24,14 @@ from exactmesh.proofs.polynomial import variables
 ax, ay, mx, my, t, c, s, q, x, y, ux, uy, b = variables("ax ay mx my t c s q x y ux uy b")
 circle = (equal(16 * (ax * ax + ay * ay), 1), equal(16 * (mx * mx + my * my), 1))
 within = (at_least(t), at_least(1, t))
-px, py = (1 - t) * ax + t * mx, (1 - t) * ay + t * my
+px, py = (1 - t) / 4 + t * mx, t * my
 below = (at_least(s), at_least(1, 2 * s), at_least(8 * s**4 - 8 * s**2 + 1))
 above = (at_least(s), at_least(1, 2 * s), at_least(0, 8 * s**4 - 8 * s**2 + 1))
 
 CHORD = [bounded("refinement.chord", "a chord of 90 degrees or less keeps 1/(4 sqrt 2) from the centre",
-                 (*circle, *within, at_least(ax * mx + ay * my)),
+                 (circle[1], *within, at_least(mx)),
                  lambda f: at_least(32 * (px * px + py * py), square(f)), Hint(squares=(2 * t - 1,), degrees=(4,)),
-                 {"ax": "1/4", "ay": "0", "mx": "0", "my": "1/4", "t": "1/2"})]
+                 {"mx": "0", "my": "1/4", "t": "1/2"})]
 NEAREST = [bounded("refinement.nearest-end", "at an angle of 90 degrees or more the nearest point is the vertex",
                    (at_least(b), at_least(0, x * ux + y * uy), more(x * x + y * y)),
                    lambda f: at_least((x - b * ux)**2 + (y - b * uy)**2, square(f) * (x * x + y * y)),
@@ -68,8 +68,8 @@ SNAP = [
 ]
 STATEMENTS = [*CHORD, *NEAREST, *PROLONGED, *OTHERS, *LENGTH, *SNAP]
 LEMMA_2 = ("lemma-2.point-of-edge", "lemma-2.triangle-inequality", "lemma-2.distance-left")
-FROM_P = ("A point of P3 over an arc has v as its nearest point among the two edges of v, because it makes angles of 90 "
-          "degrees or more with them; other edges are 1 or more from v. Elsewhere P3 is on P2.")
+FROM_P = ("A point of P3 over an arc has v as its nearest point among the two edges of v, because it makes angles of "
+          "90 degrees or more with them; other edges are 1 or more from v. Elsewhere P3 is on P2.")
 APART = (FROM_P + " Pairs of a vertex and an edge of P3 are sorted by what they come from, as in the script; edges are "
          "1/2 or longer by Appendix A.")
 
@@ -84,6 +84,7 @@ APPENDIX = tuple(f"appendix-a.{name}" for name in (
     "one-reflex-obtuse", "no-acute-end", "two-acute-ends", "z-left-of-p2", "tangent-before", "tangent-beyond",
     "tangent-on", "one-acute-end", "formula-above-half", "triangle-radius"))
 P3 = (*names(NEAREST, PROLONGED, LENGTH), *APPENDIX)
+GROUP = "refinement"
 THEOREMS = [
     Theorem("section-2.p3-tube-distance", "claim", "P3 keeps 1/(4 sqrt 2) from P", names(CHORD, NEAREST, PROLONGED,
             OTHERS), FROM_P, "the infimum, for arcs that tend to 180 degrees"),
@@ -96,17 +97,17 @@ THEOREMS = [
             names(LENGTH[:1]), "2 - 2 cos 45 = 4 sin(22.5)^2.", "an equality"),
     Theorem("section-2.p3-feature-size", "claim", "mfs(P3) >= sin(pi/8)/2", P3, APART, "attained at right angles"),
     Theorem("section-2.p4-feature-size", "claim", "mfs(P4) >= 1/(2 d3)", (*P3, *LEMMA_2),
-            APART + " Lemma 2: each vertex moves by at most 1/(4 d3), which is asserted on every run; with d3 = 4 sqrt 2 "
-            "1/d3 is less.", "vertices nearly above each other at distance 1/d3"),
+            APART + " Lemma 2: each vertex moves by at most 1/(4 d3), which is asserted on every run; with d3 = "
+            "4 sqrt 2 1/d3 is less.", "vertices nearly above each other at distance 1/d3"),
     Theorem("section-2.p4-tube-distance", "claim", "P4 keeps 1/(4 sqrt 2) - 1/(4 d3) from P",
             (*names(CHORD, NEAREST, PROLONGED, OTHERS), *LEMMA_2), FROM_P + " P stays, P4 moves by at most 1/(4 d3)."),
     Theorem("section-2.p4-both-regions", "claim", "P and P4 together keep 1/(2 d3)",
-            (*P3, *names(CHORD, OTHERS, SNAP[:1]), *LEMMA_2), APART + " With d3 = 4 sqrt 2 the distance is 3/(16 sqrt 2), "
-            "above 1/(2 d3)."),
+            (*P3, *names(CHORD, OTHERS, SNAP[:1]), *LEMMA_2), APART + " With d3 = 4 sqrt 2 the distance is 3/(16 sqrt "
+            "2), above 1/(2 d3)."),
     Theorem("theorem-1.degradation", "part", "8 d3 is 41.81 or 45.25: only the first reading is below 45",
             names(SNAP[1:]), "8 d3 = 16/sin(pi/8) or 32 sqrt 2."),
 ]
 
 if __name__ == "__main__":
 
-    main("refinement", THEOREMS, STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

@@ -6,7 +6,8 @@ Given   K1, the octagon of the construction; k, the vertex of K1 that is extreme
         dx, and the sign of dy weakly, and is level if it was: afterwards it has the direction (dx, dz).
 Claim   each other vertex of the cap is at distance 0.15 or more from the whole ray from k in the direction (dx, dz),
         away from the cap for an outgoing e', backwards for an incoming one.
-Method  dy > 0, dy < 0, dy = 0; k is extreme: (-dy, dx).(k - k') >= 0 for the two neighbours k'; three parts by the foot.
+Method  dy > 0, dy < 0, dy = 0; k is extreme: (-dy, dx).(k - k') >= 0 for the two neighbours k'; a problem for each
+        other vertex, with its foot on the ray.
 Tight   0.15 is the width of a flat cap: its two vertices, with e' leaving at 90 degrees or more.
 By hand that caps have at most five vertices (a corner turns by at most 180 degrees more than a half octagon); that
         rounding is monotone; that it holds at every moment of the motion, because the statement is about every dz.
@@ -50,10 +51,12 @@ def ray_statements(id_: str, where: str, given: tuple[Constraint, ...], ray: Spo
                     lambda f: at_least(cross(ray, other)**2, square(f) * GAP**2 * dot(ray, ray)))]
 
 
+GROUP = "caps"
+STATEMENTS = statements()
+THEOREMS = [Theorem(
+    "repaired.offset-separation", "part", "e' keeps 0.15 from the cap at its own end", tuple(s.id for s in STATEMENTS),
+    "Where the foot is behind the ray the nearest point is k, and two vertices of the octagon are 0.15 or more apart. "
+    "Rounding is monotone. Other pairs are not covered.", "0.15 is the width of a flat cap")]
+
 if __name__ == "__main__":
-    every = statements()
-    main("caps", [Theorem("repaired.offset-separation", "part", "e' keeps 0.15 from the cap at its own end",
-                          tuple(s.id for s in every),
-                          "Where the foot is behind the ray the nearest point is k, and two vertices of the octagon are "
-                          "0.15 or more apart. Rounding is monotone. Other pairs are not covered.",
-                          "0.15 is the width of a flat cap")], every)
+    main(GROUP, THEOREMS, STATEMENTS)

@@ -68,20 +68,23 @@ A2 = heights("clean.a2-lower", "good BL: triangle BL, BR, TR",
              (spot(0, 0), spot(b, 0), spot(x, H)), f_star, Hint(cases=(at_least(x),), degrees=(4, 5, 6)))
 A2 += heights("clean.a2-upper", "good BL and TL, a >= b: triangle BL, TR, TL", same_side,
               (spot(0, 0), spot(x, H), spot(x - a, H)), f_star, Hint(cases=(at_least(x),), degrees=(4, 5, 6)))
-outward = (at_least(b, F), at_least(H, g), more(r), more(GOOD**2 * leg, b * b * H * H))
+# From here on r and c are how far the legs lean for a height of 1.
+outward = (at_least(b, F), at_least(H, g), more(r), more(GOOD**2 * (1 + r * r), b * b))
 centre = spot(b / 2, H / 2)
 A3 = heights("clean.a3-below", "no good corner below: triangle BL, BR, centre", (at_least(b, F), at_least(H, g)),
              (spot(0, 0), spot(b, 0), centre), f_star, Hint())
 A3 += heights("clean.a3-right", "no good corner below: triangle BR, TR, centre", outward,
-              (spot(b, 0), spot(b + r, H), centre), f_star, Hint(degrees=(4, 5, 6)))
-A3 += heights("clean.a3-above", "no good corner below: triangle TR, TL, centre; r and c are how far the legs lean",
-              (*outward, more(c), more(GOOD**2 * squared(c, H), b * b * H * H)),
-              (spot(b + r, H), spot(-c, H), centre), f_star, Hint(degrees=(4, 5, 6)))
+              (spot(b, 0), spot(b + r * H, H), centre), f_star, Hint(degrees=(4, 5, 6, 7, 8), squares=(r, b)))
+A3 += heights("clean.a3-above", "no good corner below: triangle TR, TL, centre",
+              (*outward, more(c), more(GOOD**2 * (1 + c * c), b * b)),
+              (spot(b + r * H, H), spot(-c * H, H), centre), f_star, Hint(degrees=(4, 5, 6)))
 STATEMENTS = [*A0, *A1, *A2, *A3]
 
+GROUP = "clean"
+THEOREMS = [Theorem(
+    "repaired.interior-feature", "part", "trapezoids without T-vertices keep f* = g/5", tuple(s.id for s in STATEMENTS),
+    "WLOG as in the script. If both sides have a good vertex, A2; otherwise A3. I2 and I5' are asserted on every run. "
+    "Faces with T-vertices are not covered.", "A2 with F for Fp leaves 0.0476")]
+
 if __name__ == "__main__":
-    main("clean", [Theorem("repaired.interior-feature", "part",
-                           "trapezoids without T-vertices keep f* = g/5", tuple(s.id for s in STATEMENTS),
-                           "WLOG as in the script. If both sides have a good vertex, A2; otherwise A3. I2 and I5' are "
-                           "asserted on every run. Faces with T-vertices are not covered.",
-                           "A2 with F for Fp leaves 0.0476")], STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

@@ -14,8 +14,22 @@ By hand that each face sees at most one gap, two neighbouring apexes or two cons
 """
 
 from gmpy2 import mpq
-from kit import Hint, Spot, Statement, Theorem, at_least, bounded, cross, dot, keeps_distance, main, more, spot, square
-from kit import states
+from kit import (
+    Hint,
+    Spot,
+    Statement,
+    Theorem,
+    at_least,
+    bounded,
+    cross,
+    dot,
+    keeps_distance,
+    main,
+    more,
+    spot,
+    square,
+    states,
+)
 
 from exactmesh.proofs.certificate import Constraint
 from exactmesh.proofs.polynomial import variables
@@ -98,9 +112,12 @@ N6 = heights("nested.n6", "fan: (A, u, u + W), both within 2",
              (*small, at_least(W, k * t), at_least(u, -2), at_least(2, u + W)), (A, spot(u, 0), spot(u + W, 0)))
 STATEMENTS = [*N1, *N2, *N3, *N3M, *N3E, *N4, *N5, *N6]
 
+GROUP = "nested"
+THEOREMS = [Theorem(
+    "repaired.tube-feature", "part", "Lemma 3* over a parallel clean side, AB >= 4 h, keeps 0.0222",
+    tuple(s.id for s in STATEMENTS),
+    "Only parallel clean sides, mode AB, beta = 1/5, xi = 2. Slanted sides, short sides, single gaps are not covered.",
+    "N3m: 1/sqrt(29) = 0.1857, attained at e = 1, f = 2")]
+
 if __name__ == "__main__":
-    main("nested", [Theorem("repaired.tube-feature", "part",
-                            "Lemma 3* over a parallel clean side, AB >= 4 h, keeps 0.0222",
-                            tuple(s.id for s in STATEMENTS),
-                            "Only parallel clean sides, mode AB, beta = 1/5, xi = 2. Slanted sides, short sides and "
-                            "single gaps are not covered.", "N3m: 1/sqrt(29) = 0.1857, attained at e = 1, f = 2")], STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

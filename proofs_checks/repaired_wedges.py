@@ -1,19 +1,19 @@
 """Prove that the triangles of wedges and cross edges keep f* = g/5 in the repaired construction, at the full value.
 
-Given   a trapezoid of height H >= g with the left leg from TL = (0,0) to BL = (M,-H); T-vertices v = (c,0) of its top keep
-        F = 599/10000 from the line of the leg (I2; the foot is on the leg), neighbours are w = 0.15 or more apart, and
-        those with c < M - 2 H are dropped to feet v' on the leg, so is TR if it is a vertex of Q that far to the left.
+Given   a trapezoid of height H >= g with the left leg from TL = (0,0) to BL = (M,-H); T-vertices v = (c,0) of its top
+        keep F = 599/10000 from the line of the leg (I2; the foot is on the leg), neighbours are w = 0.15 or more apart,
+        and those with c < M - 2 H are dropped to feet v' on the leg, so is TR if it is a vertex of Q that far to the left.
 Claim   W1  triangle (TL, v1', v1); W2 between two dropped vertices, cut by the diagonal from the left foot to the right
         vertex; W3 triangle (vr', BL, vr); W4 triangle (vr, BL, u) with the next vertex u at s >= w, s >= M - 2 H, where
         vr = (0,0) now; R triangle (BL, BR, TR), one wedge, TR = (s,0) a vertex of Q and the right leg leaning out;
         C triangle of a cross edge: base at least F, the apex above it. All their heights are f* or more.
 Method  one problem a height; combinations.
-Tight   W4 is false without the rule for the corner, s >= M - 2 H (`wedges.corner-rule`).
+Tight   W4 is false without the rule for the corner, s >= M - 2 H (`wedges.no-corner-rule`).
 By hand the split into these pieces; R has two cases, by which of BL and BR is a vertex of Q and so keeps F from the
         other leg. Quadrilaterals left over are those of `repaired_clean.py`.
 """
 
-from kit import Hint, Theorem, at_least, main, more, spot
+from kit import Hint, Theorem, at_least, main, more, refuted, spot
 from repaired_clean import heights
 
 from exactmesh.proofs.polynomial import variables
@@ -46,10 +46,16 @@ R2 = heights("wedges.r-br", "BL, BR, TR, BR a vertex of Q off the left leg",
 C = heights("wedges.cross", "cross edge: apex above a base of F or more",
             (at_least(s, F), at_least(x), at_least(s, x), at_least(H, g)),
             (spot(0, 0), spot(s, 0), spot(x, H)), f_star, PLAIN)
-STATEMENTS = [*W1, *W2, *W3, *W4, *R1, *R2, *C]
+NO_RULE = refuted("wedges.no-corner-rule", "without s >= M - 2 H the height of (vr, BL, u) from BL is f* or more",
+                  (at_least(s, w), at_least(H, g), more(M, 2 * H)),
+                  at_least(s * s * H * H, f_star**2 * ((M - s) * (M - s) + H * H)))
+STATEMENTS = [*W1, *W2, *W3, *W4, *R1, *R2, *C, NO_RULE]
+
+GROUP = "wedges"
+THEOREMS = [Theorem(
+    "repaired.interior-feature", "part", "wedges and cross edges keep f* = g/5", tuple(s.id for s in STATEMENTS),
+    "The split of a face with T-vertices into these pieces and one-sided quadrilaterals; the latter are not covered.",
+    "W4 needs the rule for corners")]
 
 if __name__ == "__main__":
-    main("wedges", [Theorem("repaired.interior-feature", "part", "wedges and cross edges keep f* = g/5",
-                            tuple(statement.id for statement in STATEMENTS),
-                            "The split of a face with T-vertices into these pieces and one-sided quadrilaterals; the "
-                            "latter are not covered here.", "W4 needs the rule for corners")], STATEMENTS)
+    main(GROUP, THEOREMS, STATEMENTS)

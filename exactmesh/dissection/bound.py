@@ -3,7 +3,7 @@
 With N_a cells in the strip of figure a, N their sum, k figures:
 
     cuts on a vertical line, of one strip                <= 3
-    pieces  <=  9 N + sum over pairs a < b of 55 (N_a + N_b - 1)  <=  55 k N
+    pieces  <=  9 N + sum over pairs a < b of (55 (N_a + N_b) - 49)  <=  55 k N
     N       <=  125 (sum of n) (greatest r)             for nonproper meshes, and the choice has no more
     pieces  <=  6875 k (sum of n) (sum of r)
 """
@@ -22,8 +22,10 @@ from exactmesh.numbers.algebraic import Real
 from exactmesh.numbers.rational import sqrt_below
 
 CUTS_ON_A_VERTICAL = 3
-# 7 x 7 crossings of slanted cuts in a pair of cells, and 2 x 3 for the upright cuts of either.
-CROSSINGS = 55
+# 7 x 7 crossings of slanted cuts in a pair of cells, of which there are N_a + N_b - 1.
+SLANTED = 49
+# A cell has two upright cuts, its left border among them.
+CROSSINGS = SLANTED + 2 * CUTS_ON_A_VERTICAL
 CELLS_PER_CORNER_AND_SPREAD = 125
 PIECES = CROSSINGS * CELLS_PER_CORNER_AND_SPREAD
 _ROOT_BITS = 64
@@ -52,7 +54,7 @@ def most_cuts_on_a_vertical(cell: Cell, epsilon: mpq) -> int:
 
 def strip_bound(cells: Sequence[int]) -> int:
     """Return the bound on the pieces by the numbers of cells."""
-    return MAX_PARTS * sum(cells) + sum(CROSSINGS * (a + b - 1) for a, b in combinations(cells, 2))
+    return MAX_PARTS * sum(cells) + sum(CROSSINGS * (a + b) - SLANTED for a, b in combinations(cells, 2))
 
 
 def spread_bound(figures: Sequence[Figure]) -> mpq:

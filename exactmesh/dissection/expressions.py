@@ -15,7 +15,7 @@ from exactmesh.numbers.rational import rational_from_text
 MAX_LENGTH = 20_000
 MAX_DEPTH = 40
 _TOKEN = re.compile(r"\s*(?:(\d+(?:\.\d*)?|\.\d+)|(sqrt\b|[-+*/()]))", re.ASCII)
-_PLAIN = re.compile(r"[-+]?[0-9][0-9./]*", re.ASCII)
+_PLAIN = re.compile(r"[-+]?\d+(?:/\d+|\.\d*)?", re.ASCII)
 
 
 class ExpressionReader:

@@ -19,9 +19,9 @@ Place = tuple[float, float]
 
 def svg_from_dissection(dissection: Dissection) -> str:
     """Return a picture of all figures, side by side, to one scale."""
-    figures = [[_rounded(piece.polygons[figure]) for piece in dissection.pieces]
+    figures = [[rounded(piece.polygons[figure]) for piece in dissection.pieces]
                for figure in range(len(dissection.scales))]
-    boxes = [_box(polygons) for polygons in figures]
+    boxes = [box(polygons) for polygons in figures]
     scale = _SIZE / max(max(right - left, top - low) for left, low, right, top in boxes)
     height = max(top - low for _, low, _, top in boxes) * scale
     body: list[str] = []
@@ -48,18 +48,20 @@ def colour(number: int) -> str:
 def _drawn(places: list[Place], number: int) -> str:
     path = "L".join(f"{x:.3f} {y:.3f}" for x, y in places)
     (x, y), area = _centre(places)
-    inside = _room(places, (x, y))
+    inside = room(places, (x, y))
     size = min(_MOST_FONT, inside)
     text = (f'<text x="{x:.2f}" y="{y:.2f}" font-size="{size:.2f}">{number}</text>'
             if size >= _LEAST_FONT and area else "")
     return f'<path fill="{colour(number)}" d="M{path}Z"/>{text}'
 
 
-def _rounded(polygon: Polygon) -> list[Place]:
+def rounded(polygon: Polygon) -> list[Place]:
+    """Return the corners, rounded."""
     return [(float(p.x.interval().low), float(p.y.interval().low)) for p in polygon]
 
 
-def _box(polygons: list[list[Place]]) -> tuple[float, float, float, float]:
+def box(polygons: list[list[Place]]) -> tuple[float, float, float, float]:
+    """Return the left, low, right and top end of all."""
     xs = [x for polygon in polygons for x, _ in polygon]
     ys = [y for polygon in polygons for _, y in polygon]
     return min(xs), min(ys), max(xs), max(ys)
@@ -75,7 +77,7 @@ def _area(places: list[Place]) -> float:
     return abs(sum(x * v - y * u for (x, y), (u, v) in zip(places, places[1:] + places[:1], strict=True))) / 2
 
 
-def _room(places: list[Place], centre: Place) -> float:
+def room(places: list[Place], centre: Place) -> float:
     """Return the distance of the centre from the nearest side's line."""
     best = _SIZE
     for (x, y), (u, v) in zip(places, places[1:] + places[:1], strict=True):

@@ -21,7 +21,7 @@ one line is zero exactly when its counts vanish at each point. No construction i
 """
 
 from collections import Counter
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -29,8 +29,10 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactmesh.dissection.records import Dissection, Motion, Piece, Polygon, Vector
+from exactmesh.errors import InputError
 from exactmesh.numbers.algebraic import Real, total
 from exactmesh.numbers.interval import sign_of
+from exactmesh.numbers.radicals import TooManyRoots
 from exactmesh.planar.faces import Subdivision, domain_of
 from exactmesh.planar.pslg import Pslg
 
@@ -62,11 +64,18 @@ class DissectionVerdict:
 
 def verify_dissection(pslgs: Sequence[Pslg], dissection: Dissection,
                       progress: Callable[[str], None] = lambda step: None) -> DissectionVerdict:
-    """Return the verdict on a dissection; raises `InputError` when a polygon is none."""
+    """Return the verdict on a dissection.
+
+    Raises `InputError` when a polygon is none, and when numbers of the dissection mix more square roots than can be
+    treated together: it is then not judged.
+    """
     progress("validation")
     boundaries = [_boundary(domain_of(pslg)) for pslg in pslgs]
     areas = tuple(sum((p[0] * q[1] - p[1] * q[0] for p, q in edges), mpq(0)) / 2 for edges in boundaries)
-    refusal = _refusal(boundaries, areas, dissection, progress)
+    try:
+        refusal = _refusal(boundaries, areas, dissection, progress)
+    except TooManyRoots as error:
+        raise InputError(f"the pieces cannot be judged: {error}") from None
     return DissectionVerdict(refusal, len(dissection.pieces), areas, dissection.scales)
 
 
@@ -156,18 +165,35 @@ def _doubled_area(polygon: Polygon) -> Real:
 
 def _tiles(polygons: Sequence[Polygon], boundary: _Edges, scale: Real) -> bool:
     """Return whether the boundaries of the polygons add up to the scaled one."""
-    counts: Counter[Hashable] = Counter()
+    chain = _Chain()
     for polygon in polygons:
-        for i in range(len(polygon)):
-            _count(counts, polygon[i - 1], polygon[i], 1)
+        chain.add(polygon, 1)
     for p, q in boundary:
-        _count(counts, Vector(scale * p[0], scale * p[1]), Vector(scale * q[0], scale * q[1]), -1)
-    return not any(counts.values())
+        chain.add((Vector(scale * p[0], scale * p[1]), Vector(scale * q[0], scale * q[1])), -1, closed=False)
+    return chain.is_zero()
 
 
-def _count(counts: Counter[Hashable], p: Vector, q: Vector, sign: int) -> None:
-    """Count one directed edge at its ends, for the line it lies on: a point and a slope name a line."""
-    run = q.x - p.x
-    slope = (q.y - p.y) / run if run else None
-    counts[slope, p] += sign
-    counts[slope, q] -= sign
+class _Chain:
+    """A sum of directed edges. Equal numbers get one name, so that each is hashed once where it occurs."""
+
+    def __init__(self) -> None:
+        self._names: dict[Real, int] = {}
+        self._counts: Counter[tuple[int, int, int]] = Counter()
+
+    def add(self, path: Sequence[Vector], sign: int, closed: bool = True) -> None:
+        """Add `sign` times the edges of a path, and the one back to its start when it is closed."""
+        names = [(self._name(p.x), self._name(p.y)) for p in path]
+        for i in range(0 if closed else 1, len(path)):
+            p, q = path[i - 1], path[i]
+            run = q.x - p.x
+            # A point and a slope name a line; -1 is no name.
+            slope = self._name((q.y - p.y) / run) if run else -1
+            self._counts[slope, *names[i - 1]] += sign
+            self._counts[slope, *names[i]] -= sign
+
+    def is_zero(self) -> bool:
+        """Return whether everything cancels."""
+        return not any(self._counts.values())
+
+    def _name(self, value: Real) -> int:
+        return self._names.setdefault(value, len(self._names))

@@ -10,6 +10,8 @@ boxes        Every variable has a lower bound among the assumptions, most an upp
              low + t/(1 - t) where there is no upper bound, makes the unit box of them. `tree` in preorder: -1-k halves
              the box across the k-th of `variables`, i >= 0 says that assumption i is violated throughout the box,
              because its Bernstein coefficients there, between which all values lie, have the wrong sign.
+
+The opposite is a counterexample: a rational point that satisfies all assumptions.
 """
 
 from collections.abc import Mapping, Sequence
@@ -79,6 +81,17 @@ def refute(assumptions: Sequence[Constraint], certificate: Mapping[str, Any]) ->
                     raise Refused("no certificate, or one of an unknown kind")
         except (TypeError, ValueError, KeyError, IndexError, ArithmeticError) as error:
             raise Refused(f"malformed certificate: {error}") from error
+
+
+def satisfy(assumptions: Sequence[Constraint], point: Mapping[str, str]) -> None:
+    """Return when the point satisfies the assumptions; raises `Refused` when not."""
+    try:
+        place = {name: mpq(value) for name, value in point.items()}
+        broken = [str(c) for c in assumptions if not c.holds(place)]
+    except (TypeError, ValueError, KeyError, AttributeError, ArithmeticError) as error:
+        raise Refused(f"malformed point: {error}") from error
+    if broken:
+        raise Refused(f"the point does not satisfy {broken[0]}")
 
 
 def _parsed(text: str) -> Polynomial:

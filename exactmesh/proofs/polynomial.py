@@ -53,6 +53,10 @@ class Polynomial:
             result = result * self
         return result
 
+    def in_order(self) -> list[tuple[Monomial, mpq]]:
+        """Return the terms, higher degrees first."""
+        return sorted(self.terms.items(), key=_order)
+
     def names(self) -> set[str]:
         """Return the variables that occur."""
         return {name for monomial in self.terms for name, _ in monomial}
@@ -81,7 +85,7 @@ class Polynomial:
         return total
 
     def __str__(self) -> str:
-        parts = [_term(monomial, c) for monomial, c in sorted(self.terms.items(), key=_order)]
+        parts = [_term(monomial, c) for monomial, c in self.in_order()]
         return " + ".join(parts).replace("+ -", "- ") or "0"
 
 

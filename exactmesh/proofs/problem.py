@@ -6,7 +6,7 @@ from typing import Any
 
 from gmpy2 import mpq
 
-from exactmesh.proofs.certificate import Constraint, Refused, constraint_from_text, refute
+from exactmesh.proofs.certificate import Constraint, Refused, constraint_from_text, refute, satisfy
 from exactmesh.proofs.polynomial import Monomial, Polynomial
 
 Point = Mapping[str, mpq]
@@ -26,7 +26,8 @@ class Problem:
     """For all reals that satisfy the hypotheses, the conclusion holds; no conclusion: the hypotheses contradict.
 
     `example` satisfies the hypotheses, so that the claim is not empty; `stronger` shows that it can fail.
-    `certificate` refutes the hypotheses together with the negated conclusion, which is the last assumption.
+    `certificate` refutes the hypotheses together with the negated conclusion, which is the last assumption; or it is a
+    counterexample, a point that satisfies them all.
     """
 
     id: str
@@ -46,17 +47,26 @@ class Problem:
         return sorted(set().union(*(c.polynomial.names() for c in self.assumptions())))
 
     def smt_lib(self) -> str:
-        """Return the SMT-LIB script whose answer is `unsat` when the claim is true."""
-        lines = [f"; {self.id}: {self.says}", "; unsat proves it", "(set-logic QF_NRA)"]
+        """Return the SMT-LIB script whose answer is `unsat` when the claim is true, `sat` when it is false."""
+        answer = "unsat: true for all reals" if self.expected == "proved" else "sat: false"
+        lines = [f"; {self.id}: {self.says}", f"; {answer}", "(set-logic QF_NRA)"]
         lines += [f"(declare-const {name} Real)" for name in self.names()]
         lines += [f"(assert {_smt(c)})" for c in self.assumptions()]
         return "\n".join([*lines, "(check-sat)", ""])
 
+    @property
+    def expected(self) -> str:
+        """What the certificate is meant to show: that the claim is "proved", or "refuted" by a point."""
+        return "refuted" if self.certificate and self.certificate.get("kind") == "counterexample" else "proved"
+
     def check_certificate(self) -> None:
-        """Return when the certificate proves the claim; raises `Refused`."""
+        """Return when the certificate proves the claim, or refutes it where that is expected; raises `Refused`."""
         if self.certificate is None:
             raise Refused("there is no certificate")
-        refute(self.assumptions(), self.certificate)
+        if self.expected == "refuted":
+            satisfy(self.assumptions(), self.certificate.get("at", {}))
+        else:
+            refute(self.assumptions(), self.certificate)
 
     def check_guards(self) -> None:
         """Return when the hypotheses are satisfiable and the stronger claim is false; raises `Refused`."""
@@ -147,7 +157,7 @@ def _smt(constraint: Constraint) -> str:
 
 
 def _smt_polynomial(p: Polynomial) -> str:
-    terms = [_smt_term(monomial, c) for monomial, c in p.terms.items()]
+    terms = [_smt_term(monomial, c) for monomial, c in p.in_order()]
     return f"(+ {' '.join(terms)})" if len(terms) > 1 else (terms or ["0.0"])[0]
 
 

@@ -13,8 +13,6 @@ from exactmesh.proofs.registry import groups, theorems
 
 # What an engine says of the negated claim, as a result.
 _RESULTS = {"unsat": "proved", "sat": "refuted", "timeout": "timeout", "unknown": "unknown"}
-# Results that contradict what the tree says; a missing certificate or an engine out of time does not.
-CONTRADICTIONS = frozenset({"refuted", "failed"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,11 +31,17 @@ class Result:
     seconds: float
     certificate: str | None
     detail: str = ""
+    expected: str = "proved"
+
+    @property
+    def contradicts(self) -> bool:
+        """Whether a method says the opposite of what the tree says, or a certificate or guard is refused."""
+        return self.result == "failed" or (self.result in ("proved", "refuted") and self.result != self.expected)
 
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """A theorem: how many of its problems each method proves, and whether it stands."""
+    """A theorem: how many of its problems each method settles as expected, and whether it stands."""
 
     theorem: Theorem
     proved: dict[str, int]
@@ -80,12 +84,12 @@ def prove(ids: Sequence[str] = (), fast: bool = False, seconds: float = 30,
                 start = time.monotonic()
                 answer = engine.answer(problem.smt_lib())
                 yield Result(group.name, problem.id, claims, engine.name, _RESULTS.get(answer, "error"),
-                             time.monotonic() - start, None, "" if answer in _RESULTS else answer)
+                             time.monotonic() - start, None, "" if answer in _RESULTS else answer, problem.expected)
 
 
 def _certificate(group: Group, problem: Problem, claims: tuple[str, ...]) -> Result:
     start = time.monotonic()
-    result, detail = "open" if problem.certificate is None else "proved", ""
+    result, detail = "open" if problem.certificate is None else problem.expected, ""
     try:
         if problem.certificate is not None:
             problem.check_certificate()
@@ -93,7 +97,8 @@ def _certificate(group: Group, problem: Problem, claims: tuple[str, ...]) -> Res
     except Refused as error:
         result, detail = "failed", str(error)
     path = None if problem.certificate is None else f"proofs_checks/certificates/{group.name}.json"
-    return Result(group.name, problem.id, claims, "certificate", result, time.monotonic() - start, path, detail)
+    return Result(group.name, problem.id, claims, "certificate", result, time.monotonic() - start, path, detail,
+                  problem.expected)
 
 
 def summaries(results: Sequence[Result]) -> list[Summary]:
@@ -103,8 +108,8 @@ def summaries(results: Sequence[Result]) -> list[Summary]:
         own = [r for r in results if r.problem in theorem.problems]
         if {r.problem for r in own} == set(theorem.problems):
             methods = sorted({r.method for r in own}, key=("certificate", *ENGINES).index)
-            proved = {m: sum(r.method == m and r.result == "proved" for r in own) for m in methods}
+            proved = {m: sum(r.method == m and r.result == r.expected for r in own) for m in methods}
             stands = (proved["certificate"] == len(theorem.problems)
-                      and not any(r.result in CONTRADICTIONS for r in own))
+                      and not any(r.contradicts for r in own))
             found.append(Summary(theorem, proved, sum(r.seconds for r in own), stands))
     return found

@@ -66,8 +66,10 @@ def trouble(problem: str) -> str:
 
 
 def stands(theorem: Theorem) -> bool:
-    """Return whether every problem of the theorem passes; one without problems shows nothing."""
-    return bool(theorem.problems) and not any(trouble(problem) for problem in theorem.problems)
+    """Return whether every problem of the theorem passes, and is not a refutation where the theorem is a proof."""
+    if not theorem.problems or any(trouble(problem) for problem in theorem.problems):
+        return False
+    return theorem.shows in ("refuted", "part") or all(problems()[p].expected == "proved" for p in theorem.problems)
 
 
 def is_proved(claim: str) -> bool:

@@ -4,7 +4,7 @@ import json
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from exactmesh.proofs.prove import CONTRADICTIONS, Result, Summary
+from exactmesh.proofs.prove import Result, Summary
 
 _SHOWS = {"claim": "proved", "corrected": "corrected form proved", "refuted": "refuted for a whole family",
           "part": "part proved"}
@@ -28,7 +28,7 @@ def summary_text(found: Sequence[Summary], results: Sequence[Result]) -> str:
                      _SHOWS[s.theorem.shows] if s.stands else "NOT PROVED"))
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     lines = ["  ".join(text.ljust(width) for text, width in zip(row, widths, strict=True)).rstrip() for row in rows]
-    lines += [f"{r.problem}: {r.method}: {r.result} {r.detail}".rstrip() for r in results if r.result != "proved"]
+    lines += [f"{r.problem}: {r.method}: {r.result} {r.detail}".rstrip() for r in results if r.result != r.expected]
     counts = Counter((r.method, r.result) for r in results)
     lines.append("; ".join(f"{method}: {count} {result}" for (method, result), count in counts.items()) or "no proofs")
     return "\n".join(lines)
@@ -36,4 +36,4 @@ def summary_text(found: Sequence[Summary], results: Sequence[Result]) -> str:
 
 def contradiction(results: Iterable[Result]) -> bool:
     """Return whether a proof that the tree claims fails."""
-    return any(r.result in CONTRADICTIONS for r in results)
+    return any(r.contradicts for r in results)

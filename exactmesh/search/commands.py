@@ -37,7 +37,7 @@ def add_search_commands(commands: Any) -> None:
                          help="lattice:n=4,m=3, triangle, tour, star, orthogonal, stretched, near-degenerate, flat, or "
                          "path.py:function (default: stretched)")
     command.add_argument("--seed", type=int, default=0)
-    command.add_argument("--size", type=int, default=0, help="polygons, steps or examples of a task")
+    command.add_argument("--size", type=_positive, default=0, help="polygons, steps or examples of a task")
     command.add_argument("--shard", metavar="RES/MOD", type=_shard, default=(0, 1), help="only these tasks")
     command.add_argument("--stop-at-first", action="store_true", help="stop when the claim fails")
     command.add_argument("--export", metavar="DIR", help="write the finds of the store there as files and pictures")
@@ -63,7 +63,7 @@ def add_search_commands(commands: Any) -> None:
     command.add_argument("--claims", metavar="ID,..", default="all", help="claims and objectives (default: all)")
     command.add_argument("--construction", choices=("repaired", "paper", "both"), default="repaired")
     command.add_argument("--kind", choices=KINDS)
-    command.add_argument("--count", type=int, default=1000, help="polygons of each random family (default: 1000)")
+    command.add_argument("--count", type=_positive, default=1000, help="polygons of each random family (default: 1000)")
     command.add_argument("--seed", type=int, default=0)
     command.add_argument("--report", metavar="OUT", help="write the report as JSON")
     command.add_argument("--html", metavar="OUT", help="write the report as a page")
@@ -75,10 +75,10 @@ def add_search_commands(commands: Any) -> None:
 def _add_engine(command: argparse.ArgumentParser) -> None:
     command.add_argument("--store", metavar="FILE", required=True, help="where results are kept (SQLite)")
     command.add_argument("--resume", action="store_true", help="go on with a run that is in the store")
-    command.add_argument("--time-limit", metavar="SECONDS", type=float)
-    command.add_argument("--tasks", metavar="N", type=int, help="no more than the first N tasks")
+    command.add_argument("--time-limit", metavar="SECONDS", type=_positive, help="hand out no task after this time")
+    command.add_argument("--tasks", metavar="N", type=_positive, help="no more than the first N tasks")
     where = command.add_mutually_exclusive_group()
-    where.add_argument("--jobs", metavar="N", type=int, default=1, help="processes (default: 1)")
+    where.add_argument("--jobs", metavar="N", type=_positive, default=1, help="processes (default: 1)")
     where.add_argument("--scheduler", metavar="ADDRESS", help="a dask.distributed scheduler: tcp://host:port")
     command.add_argument("--quiet", action="store_true", help="no progress and no summary")
 
@@ -183,6 +183,12 @@ def _wanted(find: Any, args: argparse.Namespace) -> bool:
         lambda: args.label in (None, find["label"]), lambda: bool(find["confirmed"]) or not args.confirmed,
         lambda: args.max_corners is None or len(json.loads(find["corners"])) <= args.max_corners)
     return all(check() for check in filters)
+
+
+def _positive(text: str) -> int:
+    if not text.isdecimal() or len(text) > 9 or int(text) == 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a positive whole number")
+    return int(text)
 
 
 def _shard(text: str) -> tuple[int, int]:

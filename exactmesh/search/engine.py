@@ -6,7 +6,9 @@ its task with it, which is handed out again; a task that kills its workers `_ATT
 """
 
 import multiprocessing
+import os
 import signal
+import threading
 import time
 from collections.abc import Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, ProcessPoolExecutor, wait
@@ -24,8 +26,8 @@ _ATTEMPTS = 4
 _POLL = 0.5
 
 
-class TaskLost(RuntimeError):
-    """A task took all its workers with it; `task` names it."""
+class TaskLost(InputError):
+    """A task took all its workers with it; `task` names it. What was done is stored."""
 
     def __init__(self, task: str) -> None:
         super().__init__(f"the worker of task {task} died {_ATTEMPTS} times")
@@ -92,7 +94,7 @@ class Processes:
                 process.terminate()
 
     def _pool(self) -> ProcessPoolExecutor:
-        return ProcessPoolExecutor(self.count, multiprocessing.get_context("spawn"), _ignore_interrupt)
+        return ProcessPoolExecutor(self.count, multiprocessing.get_context("spawn"), _follow_parent)
 
 
 class Cluster:
@@ -122,13 +124,16 @@ class Cluster:
                 if not work:
                     return
                 try:
-                    self.library.wait(list(work), timeout=_POLL, return_when="FIRST_COMPLETED")
+                    with self.client.as_current():
+                        self.library.wait(list(work), timeout=_POLL, return_when="FIRST_COMPLETED")
                 except TimeoutError:
                     yield None
                 for future in [future for future in work if future.done()]:
                     entry = work.pop(future)
                     try:
                         report: Json = future.result()
+                    except OSError as error:
+                        raise InputError(f"the cluster is gone ({error}); --resume goes on") from error
                     except died:
                         again.append(_another(*entry))
                         continue
@@ -163,6 +168,14 @@ def _another(task: Task, attempt: int) -> tuple[Task, int]:
     return task, attempt + 1
 
 
-def _ignore_interrupt() -> None:
-    """Leave Ctrl-C to the parent, which stops the workers."""
+def _follow_parent() -> None:
+    """Leave Ctrl-C to the parent, which stops the workers; end when the parent is gone, however it went."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

@@ -105,8 +105,8 @@ def main() -> int:
     """Read a find from standard input and write the answer."""
     find = json.load(sys.stdin)
     differs = disagreement(find)
-    looked = "claim checker" + (", verifier, stand-alone checker, all vertex-edge pairs" if find["target"][0] in _ON_MESH else "")
-    json.dump({"agrees": not differs, "says": differs or f"agrees in a fresh process: {looked}"}, sys.stdout)
+    more = ", verifier, stand-alone checker, all vertex-edge pairs" if find["target"][0] in _ON_MESH else ""
+    json.dump({"agrees": not differs, "says": differs or f"agrees in a fresh process: claim checker{more}"}, sys.stdout)
     return 0
 
 

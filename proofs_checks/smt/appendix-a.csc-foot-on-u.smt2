@@ -1,5 +1,5 @@
 ; appendix-a.csc-foot-on-u: w1 acute, the foot of p2 on u, at distance 1 or more: L >= 1/sin w1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const L Real)
 (declare-const k Real)

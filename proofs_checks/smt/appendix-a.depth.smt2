@@ -1,5 +1,5 @@
 ; appendix-a.depth: w1 acute: u reaches depth 1 also where the foot of q1 is beyond p2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const L Real)
 (declare-const c Real)
@@ -7,6 +7,6 @@
 (assert (> (+ (* 1.0 k) (- 1.0)) 0.0))
 (assert (> (* 1.0 c) 0.0))
 (assert (>= (+ (* 2.0 L k) (* (- 1.0) k k) (- 1.0)) 0.0))
-(assert (> (+ (* 1.0 c k k) (* (- 1.0) c) (* (- 1.0) L)) 0.0))
+(assert (> (+ (* 1.0 c k k) (* (- 1.0) L) (* (- 1.0) c)) 0.0))
 (assert (> (+ (* (- 2.0) c k) 1.0) 0.0))
 (check-sat)

@@ -1,13 +1,13 @@
 ; appendix-a.no-acute-end: no acute angle: |e'| >= 1/2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const L Real)
 (declare-const j Real)
 (declare-const k Real)
 (assert (>= (* 1.0 k) 0.0))
-(assert (>= (+ 1.0 (* (- 1.0) k)) 0.0))
+(assert (>= (+ (* (- 1.0) k) 1.0) 0.0))
 (assert (>= (* 1.0 j) 0.0))
-(assert (>= (+ 1.0 (* (- 1.0) j)) 0.0))
+(assert (>= (+ (* (- 1.0) j) 1.0) 0.0))
 (assert (>= (+ (* 1.0 L) (- 1.0)) 0.0))
-(assert (> (+ (* (- 1.0) L) (* (/ 1.0 4.0) k) (* (/ 1.0 4.0) j) (/ 1.0 2.0)) 0.0))
+(assert (> (+ (* (- 1.0) L) (* (/ 1.0 4.0) j) (* (/ 1.0 4.0) k) (/ 1.0 2.0)) 0.0))
 (check-sat)

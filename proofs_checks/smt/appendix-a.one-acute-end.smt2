@@ -1,5 +1,5 @@
 ; appendix-a.one-acute-end: one acute angle: |e'| >= (k + 1/k)/4 = 1/(2 sin w1)
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const j Real)
@@ -8,5 +8,5 @@
 (assert (>= (* 1.0 j) 0.0))
 (assert (>= (+ (* 1.0 D) (* (- 1.0) j)) 0.0))
 (assert (>= (+ (* 1.0 D k) (- 1.0)) 0.0))
-(assert (> (+ (* (- 4.0) D k) 3.0 (* 1.0 j k)) 0.0))
+(assert (> (+ (* (- 4.0) D k) (* 1.0 j k) 3.0) 0.0))
 (check-sat)

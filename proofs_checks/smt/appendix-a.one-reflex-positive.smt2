@@ -1,5 +1,5 @@
 ; appendix-a.one-reflex-positive: one reflex end, w1 acute: |e'| > 1/2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const L Real)
 (declare-const k Real)

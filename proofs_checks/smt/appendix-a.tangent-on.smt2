@@ -1,12 +1,12 @@
 ; appendix-a.tangent-on: w2 not acute, the foot of y1 on e_r: D >= j
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const j Real)
 (assert (>= (* 1.0 j) 0.0))
-(assert (>= (+ 1.0 (* (- 1.0) j)) 0.0))
+(assert (>= (+ (* (- 1.0) j) 1.0) 0.0))
 (assert (> (* 1.0 D) 0.0))
-(assert (>= (+ (* 4.0 D D j j) (* 4.0 D j) (* (- 4.0) D j j j) (* (- 4.0) j j)) 0.0))
+(assert (>= (+ (* (- 4.0) D j j j) (* 4.0 D D j j) (* 4.0 D j) (* (- 4.0) j j)) 0.0))
 (assert (> (* 1.0 j) 0.0))
 (assert (> (+ (* (- 1.0) D) (* 1.0 j)) 0.0))
 (check-sat)

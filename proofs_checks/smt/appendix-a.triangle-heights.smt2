@@ -1,5 +1,5 @@
 ; appendix-a.triangle-heights: two heights of 1 or more: 4 r (e + Z) >= e + 2 Z, where e = X + Y
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const X Real)
 (declare-const Y Real)

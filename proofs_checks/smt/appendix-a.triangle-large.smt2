@@ -1,5 +1,5 @@
 ; appendix-a.triangle-large: for r >= 1/2: |e'| >= sqrt(3)/6
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const Z Real)
 (declare-const e Real)

@@ -1,5 +1,5 @@
 ; appendix-a.triangle-radius: three heights of 1 or more: r >= 1/3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const X Real)
 (declare-const Y Real)

@@ -1,5 +1,5 @@
 ; appendix-a.triangle-small: for r < 1/2: |e'| = e (1 - 1/(4 r)) >= sqrt(3)/6
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const Z Real)
 (declare-const e Real)

@@ -1,5 +1,5 @@
 ; appendix-a.triangle-thin: for r < 1/2 the two constraints give e^2 (4 r - 1) >= 4 r^2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const Z Real)
 (declare-const e Real)
@@ -7,10 +7,10 @@
 (assert (> (* 1.0 e) 0.0))
 (assert (> (* 1.0 Z) 0.0))
 (assert (> (* 1.0 r) 0.0))
-(assert (>= (+ (* 1.0 Z e e) (* (- 4.0) e r r) (* (- 4.0) Z r r)) 0.0))
-(assert (>= (+ (* 4.0 e r) (* 4.0 Z r) (* (- 1.0) e) (* (- 2.0) Z)) 0.0))
+(assert (>= (+ (* 1.0 Z e e) (* (- 4.0) Z r r) (* (- 4.0) e r r)) 0.0))
+(assert (>= (+ (* 4.0 Z r) (* 4.0 e r) (* (- 2.0) Z) (* (- 1.0) e)) 0.0))
 (assert (>= (+ (* 3.0 r) (- 1.0)) 0.0))
-(assert (> (+ 1.0 (* (- 2.0) r)) 0.0))
+(assert (> (+ (* (- 2.0) r) 1.0) 0.0))
 (assert (> (+ (* 1.0 e) (* (- 2.0) r)) 0.0))
 (assert (> (+ (* (- 4.0) e e r) (* 1.0 e e) (* 4.0 r r)) 0.0))
 (check-sat)

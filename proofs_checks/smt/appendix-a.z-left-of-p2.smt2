@@ -1,5 +1,5 @@
 ; appendix-a.z-left-of-p2: w1 acute: D = L - (k^2 - 1)/(2 k) >= 1/k
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const L Real)

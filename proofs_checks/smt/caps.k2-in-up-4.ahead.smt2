@@ -5,7 +5,7 @@
 (declare-const dy Real)
 (declare-const dz Real)
 (assert (>= (* (- (/ 3.0 20.0)) dy) 0.0))
-(assert (>= (+ (* (/ 667.0 2000.0) dy) (* (/ 29.0 125.0) dx)) 0.0))
+(assert (>= (+ (* (/ 29.0 125.0) dx) (* (/ 667.0 2000.0) dy)) 0.0))
 (assert (> (* 1.0 dy) 0.0))
 (assert (>= (* 1.0 dz) 0.0))
 (assert (>= (+ (* (/ 3.0 20.0) dx) (* (/ 87.0 125.0) dz)) 0.0))

@@ -1,4 +1,4 @@
-; clean.a3-above.area: no good corner below: triangle TR, TL, centre; r and c are how far the legs lean: counter-clockwise
+; clean.a3-above.area: no good corner below: triangle TR, TL, centre: counter-clockwise
 ; unsat proves it
 (set-logic QF_NRA)
 (declare-const H Real)
@@ -8,8 +8,8 @@
 (assert (>= (+ (* 1.0 b) (- (/ 599.0 10000.0))) 0.0))
 (assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
 (assert (> (* 1.0 r) 0.0))
-(assert (> (+ (* (/ 841.0 250000.0) r r) (* (/ 841.0 250000.0) H H) (* (- 1.0) H H b b)) 0.0))
+(assert (> (+ (* (- 1.0) b b) (* (/ 841.0 250000.0) r r) (/ 841.0 250000.0)) 0.0))
 (assert (> (* 1.0 c) 0.0))
-(assert (> (+ (* (/ 841.0 250000.0) c c) (* (/ 841.0 250000.0) H H) (* (- 1.0) H H b b)) 0.0))
-(assert (>= (+ (* (- (/ 1.0 2.0)) H c) (* (- (/ 1.0 2.0)) H b) (* (- (/ 1.0 2.0)) H r)) 0.0))
+(assert (> (+ (* (- 1.0) b b) (* (/ 841.0 250000.0) c c) (/ 841.0 250000.0)) 0.0))
+(assert (>= (+ (* (- (/ 1.0 2.0)) H H c) (* (- (/ 1.0 2.0)) H H r) (* (- (/ 1.0 2.0)) H b)) 0.0))
 (check-sat)

@@ -1,4 +1,4 @@
-; clean.a3-above.height-2: no good corner below: triangle TR, TL, centre; r and c are how far the legs lean: the height from corner 2
+; clean.a3-above.height-2: no good corner below: triangle TR, TL, centre: the height from corner 2
 ; unsat proves it
 (set-logic QF_NRA)
 (declare-const H Real)
@@ -8,8 +8,8 @@
 (assert (>= (+ (* 1.0 b) (- (/ 599.0 10000.0))) 0.0))
 (assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
 (assert (> (* 1.0 r) 0.0))
-(assert (> (+ (* (/ 841.0 250000.0) r r) (* (/ 841.0 250000.0) H H) (* (- 1.0) H H b b)) 0.0))
+(assert (> (+ (* (- 1.0) b b) (* (/ 841.0 250000.0) r r) (/ 841.0 250000.0)) 0.0))
 (assert (> (* 1.0 c) 0.0))
-(assert (> (+ (* (/ 841.0 250000.0) c c) (* (/ 841.0 250000.0) H H) (* (- 1.0) H H b b)) 0.0))
-(assert (> (+ (* (- (/ 1.0 4.0)) H H c c) (* (- (/ 1.0 2.0)) H H b c) (* (- (/ 1.0 2.0)) H H c r) (* (- (/ 1.0 4.0)) H H b b) (* (- (/ 1.0 2.0)) H H b r) (* (- (/ 1.0 4.0)) H H r r) (* (/ 841.0 1562500.0) b b) (* (/ 841.0 390625.0) b r) (* (/ 841.0 390625.0) r r) (* (/ 841.0 1562500.0) H H)) 0.0))
+(assert (> (+ (* (- 1.0) b b) (* (/ 841.0 250000.0) c c) (/ 841.0 250000.0)) 0.0))
+(assert (> (+ (* (- (/ 1.0 2.0)) H H H H c r) (* (- (/ 1.0 4.0)) H H H H c c) (* (- (/ 1.0 4.0)) H H H H r r) (* (- (/ 1.0 2.0)) H H H b c) (* (- (/ 1.0 2.0)) H H H b r) (* (- (/ 1.0 4.0)) H H b b) (* (/ 841.0 390625.0) H H r r) (* (/ 841.0 390625.0) H b r) (* (/ 841.0 1562500.0) H H) (* (/ 841.0 1562500.0) b b)) 0.0))
 (check-sat)

@@ -1,5 +1,5 @@
 ; lemma-1.case-1.BL-right-leg.beyond: BL is at distance 2 m or more from the right leg; the foot lies beyond the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

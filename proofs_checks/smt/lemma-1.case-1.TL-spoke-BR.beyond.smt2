@@ -1,5 +1,5 @@
 ; lemma-1.case-1.TL-spoke-BR.beyond: TL is at distance m or more from the spoke BR; the foot lies beyond the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

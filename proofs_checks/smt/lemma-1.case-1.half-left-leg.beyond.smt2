@@ -1,5 +1,5 @@
 ; lemma-1.case-1.half-left-leg.beyond: in case 1 s is at distance l/2 or more from the left leg; the foot lies beyond the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

@@ -1,5 +1,5 @@
 ; lemma-1.case-1.near-left: the top side begins to the left of the foot of BL, so mfs(H) <= h
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

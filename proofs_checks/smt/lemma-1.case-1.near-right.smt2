@@ -1,5 +1,5 @@
 ; lemma-1.case-1.near-right: the top side ends to the right of the foot of BL
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

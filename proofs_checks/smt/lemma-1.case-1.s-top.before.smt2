@@ -1,5 +1,5 @@
 ; lemma-1.case-1.s-top.before: s is at distance m or more from the top; the foot lies before the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

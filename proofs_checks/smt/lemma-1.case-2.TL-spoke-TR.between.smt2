@@ -1,5 +1,5 @@
 ; lemma-1.case-2.TL-spoke-TR.between: TL is at distance m or more from the spoke TR; the foot lies on the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

@@ -1,5 +1,5 @@
 ; lemma-1.case-2.flat: if a <= l, the foot of BR on the top is not after its end, so mfs(H) <= h
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

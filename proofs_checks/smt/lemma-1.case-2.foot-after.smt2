@@ -1,5 +1,5 @@
 ; lemma-1.case-2.foot-after: the foot of BR on the line of the left leg does not lie before BL
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

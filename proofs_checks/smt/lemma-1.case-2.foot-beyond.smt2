@@ -1,5 +1,5 @@
 ; lemma-1.case-2.foot-beyond: if the foot of BR lies beyond TL, l h / |left leg| is more than h
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

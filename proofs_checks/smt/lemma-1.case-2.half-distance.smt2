@@ -1,5 +1,5 @@
 ; lemma-1.case-2.half-distance: s is half as far from the line of the left leg as BR
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

@@ -1,5 +1,5 @@
 ; lemma-1.case-2.half-height: if a <= l, the foot of s is on the bottom, at distance h/2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

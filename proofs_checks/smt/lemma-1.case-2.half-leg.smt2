@@ -1,5 +1,5 @@
 ; lemma-1.case-2.half-leg: if the foot of BR is on the left leg, so is that of s
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

@@ -1,5 +1,5 @@
 ; lemma-1.case-2.s-top.beyond: s is at distance m or more from the top; the foot lies beyond the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

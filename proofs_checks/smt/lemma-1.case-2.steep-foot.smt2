@@ -1,5 +1,5 @@
 ; lemma-1.case-2.steep-foot: if a > l, the foot of BR is on the left leg
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

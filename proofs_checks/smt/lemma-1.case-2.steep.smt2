@@ -1,5 +1,5 @@
 ; lemma-1.case-2.steep: if a > l, l h / |left leg| is less than h
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const b Real)

@@ -1,4 +1,4 @@
-; nested.n3m: a member against the line A-F
+; nested.n3m: a member keeps 1/sqrt(29) from the line A-F
 ; unsat proves it
 (set-logic QF_NRA)
 (declare-const e Real)
@@ -6,10 +6,10 @@
 (declare-const t Real)
 (declare-const y Real)
 (assert (> (* 1.0 t) 0.0))
-(assert (>= (+ (/ 957.0 10000.0) (* (- 1.0) t)) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 957.0 10000.0)) 0.0))
 (assert (>= (+ (* 1.0 e) (- 1.0)) 0.0))
-(assert (>= (+ (* 1.0 f) (* (- 2.0) e)) 0.0))
+(assert (>= (+ (* (- 2.0) e) (* 1.0 f)) 0.0))
 (assert (>= (+ (* 2.0 y) (- 1.0)) 0.0))
-(assert (>= (+ 1.0 (* (- 1.0) y)) 0.0))
-(assert (> (+ (* (- (/ 16.0 25.0)) f f y y) (* (/ 32.0 25.0) e f y y) (* (- (/ 16.0 25.0)) e e y y) (* (/ 3448449.0 100000000.0) f f) (/ 3448449.0 156250000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) y) 1.0) 0.0))
+(assert (> (+ (* (/ 32.0 25.0) e f y y) (* (- (/ 16.0 25.0)) e e y y) (* (- (/ 16.0 25.0)) f f y y) (* (/ 1.0 29.0) f f) (/ 16.0 725.0)) 0.0))
 (check-sat)

@@ -1,15 +1,12 @@
 ; refinement.chord: a chord of 90 degrees or less keeps 1/(4 sqrt 2) from the centre
 ; unsat proves it
 (set-logic QF_NRA)
-(declare-const ax Real)
-(declare-const ay Real)
 (declare-const mx Real)
 (declare-const my Real)
 (declare-const t Real)
-(assert (= (+ (* 16.0 ax ax) (* 16.0 ay ay) (- 1.0)) 0.0))
 (assert (= (+ (* 16.0 mx mx) (* 16.0 my my) (- 1.0)) 0.0))
 (assert (>= (* 1.0 t) 0.0))
-(assert (>= (+ 1.0 (* (- 1.0) t)) 0.0))
-(assert (>= (+ (* 1.0 ax mx) (* 1.0 ay my)) 0.0))
-(assert (> (+ (* (- 32.0) ax ax) (* 64.0 ax ax t) (* (- 64.0) ax mx t) (* (- 32.0) ax ax t t) (* 64.0 ax mx t t) (* (- 32.0) mx mx t t) (* (- 32.0) ay ay) (* 64.0 ay ay t) (* (- 64.0) ay my t) (* (- 32.0) ay ay t t) (* 64.0 ay my t t) (* (- 32.0) my my t t) 1.0) 0.0))
+(assert (>= (+ (* (- 1.0) t) 1.0) 0.0))
+(assert (>= (* 1.0 mx) 0.0))
+(assert (> (+ (* (- 32.0) mx mx t t) (* (- 32.0) my my t t) (* 16.0 mx t t) (* (- 16.0) mx t) (* (- 2.0) t t) (* 4.0 t) (- 1.0)) 0.0))
 (check-sat)

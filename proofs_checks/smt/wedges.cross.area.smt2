@@ -1,5 +1,5 @@
 ; wedges.cross.area: cross edge: apex above a base of F or more: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const s Real)

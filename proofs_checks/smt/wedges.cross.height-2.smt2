@@ -1,5 +1,5 @@
 ; wedges.cross.height-2: cross edge: apex above a base of F or more: the height from corner 2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const s Real)

@@ -1,5 +1,5 @@
 ; wedges.r-bl.area: BL, BR, TR, BL a vertex of Q off the right leg: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const M Real)

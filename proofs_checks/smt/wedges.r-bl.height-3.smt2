@@ -1,5 +1,5 @@
 ; wedges.r-bl.height-3: BL, BR, TR, BL a vertex of Q off the right leg: the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const M Real)

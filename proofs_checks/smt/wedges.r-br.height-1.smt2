@@ -1,5 +1,5 @@
 ; wedges.r-br.height-1: BL, BR, TR, BR a vertex of Q off the left leg: the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const M Real)

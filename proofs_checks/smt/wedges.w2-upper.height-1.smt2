@@ -1,5 +1,5 @@
 ; wedges.w2-upper.height-1: v_i, v_i', v_i+1: the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const d Real)
 (declare-const s Real)

@@ -1,5 +1,5 @@
 ; wedges.w4.area: vr, BL, u: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const M Real)

@@ -1,5 +1,5 @@
 ; wedges.w4.height-3: vr, BL, u: the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const M Real)

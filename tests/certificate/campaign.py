@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).parent), str(Path(__file__).parent.parent)]
+sys.path.append(str(Path(__file__).parent.parent))
 
 from checkers import COMPILER, ByC, build, by_python, sanitized_or_plain
 from harm import ALWAYS_WRONG, HARMS, harmed
@@ -72,17 +72,16 @@ def run(seed: int, count: int, checkers: Sequence[Verdict], keep: Path | None = 
         slowest = max(slowest, time.perf_counter() - begin)
         done[kind] += 1
         accepted[kind] += verdicts[0][0] == 0
-        clauses[verdicts[0][1].split(":")[0].split(" ")[1] if verdicts[0][0] == 1 else "accepted"] += 1
+        clauses[verdicts[0][1].split(":")[0] if verdicts[0][0] == 1 else "VALID"] += 1
         if found:
             faults.append(f"{kind}, {name}: {found}")
             if keep:
                 for part, data in zip(("pslg", "mesh", "certificate"), files, strict=True):
                     (keep / f"{len(faults)}.{part}.json").write_bytes(data)
     lines = [f"{done[kind]:7} {accepted[kind]:7}  {kind}" for kind in HARMS if done[kind]]
-    total = f"{sum(done.values())} harmed of {len(done)} kinds, seed {seed}: {sum(accepted.values())} accepted, all true"
-    if faults:
-        total = f"{sum(done.values())} harmed of {len(done)} kinds, seed {seed}: {len(faults)} FAULTS"
-    table = ["  harmed accepted kind", *lines, "", "by clause: " + ", ".join(
+    outcome = f"{len(faults)} FAULTS" if faults else f"{sum(accepted.values())} accepted, all true"
+    total = f"{sum(done.values())} harmed of {len(done)} kinds, seed {seed}: {outcome}"
+    table = ["  harmed accepted kind", *lines, "", "; ".join(
         f"{clause} {number}" for clause, number in clauses.most_common()), f"slowest {slowest:.2f} s", total]
     return faults, "\n".join(table)
 

@@ -756,7 +756,7 @@ def _(t: Triple) -> Any:
 def _(t: Triple) -> Any:
     name = t.source.choice(["pslg", "mesh", "certificate"])
     document = getattr(t, name)
-    key = t.source.choice(sorted(set(document) - {"name"}))
+    key = t.source.choice(sorted(set(document) - {"name", "pslg_sha256", "mesh_sha256"}))
     wrong = t.source.choice([None, True, 1.5, {}, [[[]]], {"a": [1]}, "x", [None], [["1", None]], "1/0",
                              [["1", "2", "3"]], float("nan"), float("inf"), [[0, 1.0, 2]], [["0", "1"], 3]])
     value = document[key]
@@ -875,9 +875,8 @@ def _(t: Triple) -> Any:
     at = t.source.choice(rows)
     value = Fraction(at[0])
     n, d = value.numerator, value.denominator
-    at[0] = t.source.choice([f"{3 * n}/{3 * d}", f"{n}/{d}", f"+{n}/{d}".replace("+-", "-"), f"{n}" if d == 1 else at[0],
-                             f"{n}.0" if d == 1 else at[0], f"{n}0e-1" if d == 1 else at[0], f"{n}.e+0" if d == 1
-                             else at[0], int(n) if d == 1 else at[0]])
+    others = [f"{3 * n}/{3 * d}", f"{n}/{d}", f"+{n}/{d}".replace("+-", "-")]
+    at[0] = t.source.choice(others + ([f"{n}", f"{n}.0", f"{n}0e-1", f"{n}.e+0", int(n)] if d == 1 else []))
     return True
 
 

@@ -11,10 +11,12 @@ import hashlib
 import json
 import random
 from collections.abc import Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from typing import Any
+from unittest.mock import patch
 
 import families
 import oracle
@@ -25,10 +27,12 @@ from exactmesh.claims.run import Run
 from exactmesh.errors import InputError
 from exactmesh.io.mesh_json import json_from_mesh, mesh_from_json
 from exactmesh.io.pslg_json import json_from_pslg, pslg_from_json
+from exactmesh.measure.mfs import minimum_feature_size
 from exactmesh.measure.validity import verify_mesh
-from exactmesh.planar.faces import domain_of
-from exactmesh.planar.mesh import Kind
+from exactmesh.planar.faces import Subdivision, domain_of
+from exactmesh.planar.mesh import Kind, Mesh
 from exactmesh.planar.pslg import Pslg
+from exactmesh.repaired import construct
 
 BRUTE_FORCE_FACES = 120
 
@@ -89,12 +93,20 @@ class Triple:
             face[:] = [new if v == old else v for v in face]
 
 
-def triple_of(pslg: Pslg, kind: Kind, seed: int) -> Triple:
-    """Return a valid triple."""
+def triple_of(pslg: Pslg, kind: Kind, rest: str = "") -> Triple:
+    """Return a valid triple; the rest is meshed, whether it needs to be or not, when `rest` is "meshed"."""
     run = Run(pslg, "classic" if kind == "classic" else "repaired", kind)
     files = json_from_pslg(pslg).encode(), json_from_mesh(run.mesh).encode()
-    text = certificate_text(*files, run.subdivision, run.mesh, run.verification)
-    return Triple(json.loads(files[0]), json.loads(files[1]), json.loads(text), random.Random(seed))
+    with patch("exactmesh.certificate.make.classic_mesh", _meshed) if rest else nullcontext():
+        text = certificate_text(*files, run.subdivision, run.mesh, run.verification)
+    return Triple(json.loads(files[0]), json.loads(files[1]), json.loads(text), random.Random(0))
+
+
+def _meshed(complement: Subdivision) -> Mesh:
+    """Return a mesh with Steiner vertices where the maker of certificates asks for one without."""
+    nearest = minimum_feature_size(complement.pslg)
+    assert nearest is not None
+    return construct(complement, nearest.squared).mesh
 
 
 def _square(holes: bool) -> Pslg:
@@ -103,7 +115,7 @@ def _square(holes: bool) -> Pslg:
     return Pslg(ring.vertices, tuple(edges), (families.Point(families.mpq(9, 2), families.mpq(4)),) if holes else ())
 
 
-BASES: dict[str, tuple[Pslg, Kind]] = {
+BASES: dict[str, tuple[Pslg, Kind] | tuple[Pslg, Kind, str]] = {
     "square": (families.ring([(0, 0), (4, 0), (4, 4), (0, 4)]), "nonproper"),
     "square, classic": (families.ring([(0, 0), (4, 0), (4, 4), (0, 4)]), "classic"),
     "ring with a hole": (_square(True), "nonproper"),
@@ -111,12 +123,17 @@ BASES: dict[str, tuple[Pslg, Kind]] = {
     "square in a square": (_square(False), "proper"),
     "hall, classic": (HALL, "classic"),
     "midway": (families.rectangle_with_two_midway_vertices(7), "nonproper"),
+    "midway 100": (families.rectangle_with_two_midway_vertices(100), "nonproper"),
     "l-shape": (families.l_shape(5), "proper"),
     "two squares": (families.SMALL_PSLGS["two squares"], "nonproper"),
     "two points": (families.SMALL_PSLGS["square and two points"], "nonproper"),
     "map, classic": (families.SMALL_PSLGS["map 0"], "classic"),
+    "map 1, classic": (families.SMALL_PSLGS["map 1"], "classic"),
     "random, classic": (families.random_pslg(4, 2), "classic"),
     "rings, marked": (families.nested_rings(4, 1, marked=True), "classic"),
+    "ring with a hole, rest meshed": (_square(True), "nonproper", "meshed"),
+    "rings, marked, rest meshed": (families.nested_rings(4, 1, marked=True), "classic", "meshed"),
+    "two squares, rest meshed": (families.SMALL_PSLGS["two squares"], "proper", "meshed"),
     "star": (families.star(3), "nonproper"),
     "growth": (families.random_simple_polygon(12, 3, "growth"), "nonproper"),
     "30 digits": (families.big_coordinates(families.random_simple_polygon(9, 2, "monotone"), 1), "nonproper"),
@@ -127,8 +144,7 @@ BASES: dict[str, tuple[Pslg, Kind]] = {
 @cache
 def base(name: str) -> Triple:
     """Return a valid triple by name; it is not to be changed."""
-    pslg, kind = BASES[name]
-    return triple_of(pslg, kind, 0)
+    return triple_of(*BASES[name])
 
 
 # --- truth ---

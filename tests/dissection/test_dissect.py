@@ -2,7 +2,7 @@
 
 import families
 import pytest
-from dissections import KNOWN, SQUARE_WITH_HOLE, TRIANGLE, dissected, of_area, rectangle, shoelace, triangle
+from dissections import KNOWN, TRIANGLE, dissected, of_area, rectangle, shoelace, triangle
 from gmpy2 import mpq
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
@@ -117,10 +117,6 @@ def test_unequal_areas_are_refused_with_both() -> None:
 def test_what_is_no_polygon_or_too_large_is_refused(figures: tuple[Pslg, ...], reason: str) -> None:
     with pytest.raises(InputError, match=reason):
         dissect(figures)
-
-
-def test_an_internal_mesh_that_there_is_not_is_refused() -> None:
-    assert dissect((SQUARE_WITH_HOLE, rectangle(4, 3)), kind="internal").kinds == ("internal", "internal")
 
 
 # --- guards are seen to fire ---

@@ -32,6 +32,12 @@ def test_a_dissection_is_written_drawn_and_verified(folder: Path, capsys: pytest
     assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) == 80
 
 
+def test_drawings_are_written(folder: Path) -> None:
+    assert cli.main(["dissect", "a.wkt", "b.wkt", "-o", "p.json", "--animation", "m.svg", "--cut-sheet", "c.svg"]) == 0
+    assert len(list(ElementTree.parse(folder / "m.svg").getroot().iter("{http://www.w3.org/2000/svg}path"))) == 40
+    assert ElementTree.parse(folder / "c.svg").getroot().get("width") == "210mm"
+
+
 def test_a_factor_is_told(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["dissect", "a.wkt", "c.wkt", "-o", "p.json", "--scale"]) == 0
     assert "polygon 2 is scaled by 2*sqrt(5)/5 = 0.894427191" in capsys.readouterr().out
@@ -52,6 +58,8 @@ def test_what_is_no_dissection_has_status_1(folder: Path, capsys: pytest.Capture
     (["dissect", "a.wkt", "-o", "p.json"], "two polygons or more"),
     (["dissect", "a.wkt", "b.wkt", "-o", ""], "is empty"),
     (["dissect", "a.wkt", "b.wkt", "-o", "p", "--svg", "p"], "one place"),
+    (["dissect", "a.wkt", "b.wkt", "-o", "p", "--svg", "s", "--animation", "s"], "one place"),
+    (["dissect", "a.wkt", "b.wkt", "-o", "p", "--cut-sheet", ""], "is empty"),
     (["dissect", "-", "-", "-o", "p.json"], "once only"),
     (["verify-dissection", "a.wkt", "b.wkt", "none.json"], "none.json: cannot be read"),
     (["verify-dissection", "a.wkt", "b.wkt", "a.wkt"], "a.wkt: line 1"),

@@ -31,8 +31,8 @@ def test_the_usual_rules_hold(text: str, value: Real) -> None:
 @pytest.mark.parametrize("text, reason", [
     ("", "ends too early"), ("1 +", "ends too early"), ("sqrt 2", "cannot be"), ("(1", "ends too early"),
     ("1)", "cannot be"), ("x", "cannot be"), ("2**3", "cannot be"), ("1e5", "cannot be"), ("sqrt(-1)", "negative"),
-    ("1/(2 - 2)", "divides by zero"), ("1/0", "zero"), ("sqrtx(2)", "cannot be"), ("1/2/0", ""),
-    ("(" * 41 + "1" + ")" * 41, "nested"), ("1+" * MAX_LENGTH + "1", "too long"), ("1.2.3", ""),
+    ("1/(2 - 2)", "divides by zero"), ("1/0", "zero"), ("sqrtx(2)", "cannot be"), ("1/2/0", "by zero"),
+    ("(" * 41 + "1" + ")" * 41, "nested"), ("1+" * MAX_LENGTH + "1", "too long"), ("1.2.3", "cannot be"),
     ("1/(" + "+".join(f"sqrt({p})" for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)) + ")", "roots"),
     ("__import__('os')", "cannot be"), ("٣", "cannot be")])
 def test_what_is_no_exact_number_is_refused(text: str, reason: str) -> None:

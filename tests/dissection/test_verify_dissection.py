@@ -1,18 +1,20 @@
 """The checker refuses what is harmed, with the clause, and does not know how dissections are made."""
 
 import ast
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import sympy
 from dissections import KNOWN, TRIANGLE, dissected, rectangle
 
 from exactmesh.dissection import verify
 from exactmesh.dissection.dissection_json import dissection_from_json, json_from_dissection
 from exactmesh.dissection.records import Dissection, Motion, Piece, Vector
 from exactmesh.dissection.verify import verify_dissection
-from exactmesh.errors import FormatError
+from exactmesh.errors import FormatError, InputError
 from exactmesh.numbers.algebraic import Real, sqrt
 
 FIGURES = KNOWN["square to rectangle"]
@@ -103,6 +105,21 @@ def test_other_polygons_are_refused() -> None:
         assert refusal is not None and refusal.clause == clause
 
 
+def test_too_many_roots_are_no_verdict() -> None:
+    # Both corners of a side move by sums that differ in twelve roots: its slope would be a quotient of these.
+    many = sum((sqrt(p) for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37)), Real(0)) / 10**9
+    zero = Real(0)
+
+    def leaning(lean: Real) -> Dissection:
+        corners = (Vector(zero, zero), Vector(Real(2), zero), Vector(2 + lean, Real(1)), Vector(lean, Real(1)))
+        return Dissection((ONE, ONE), (Piece((corners, corners), (Motion(ONE, zero, zero, ONE, zero, zero),)),))
+
+    with pytest.raises(InputError, match="cannot be judged: more than"):
+        verify_dissection((rectangle(2), rectangle(2)), leaning(many))
+    refusal = verify_dissection((rectangle(2), rectangle(2)), leaning(sqrt(2))).refusal
+    assert refusal is not None and refusal.clause == "tiling"
+
+
 def test_a_dissection_by_hand_is_accepted() -> None:
     # The 2 x 1 rectangle in two halves, one of them turned upside down in the other figure.
     zero = Real(0)
@@ -120,6 +137,15 @@ def test_a_dissection_by_hand_is_accepted() -> None:
 def test_a_file_is_read_back_as_it_was(name: str) -> None:
     made = dissected(name).dissection
     assert dissection_from_json(json_from_dissection(made)) == made
+
+
+def test_python_and_sympy_read_the_numbers() -> None:
+    piece = dissected("hexagon to square").dissection.pieces[0]
+    values = [value for polygon in piece.polygons for p in polygon for value in p]
+    assert any(not value.is_rational() for value in values)
+    for value in values:
+        assert eval(str(value), {"sqrt": math.sqrt}) == pytest.approx(float(value.decimal(17)), abs=1e-12)
+        assert abs(sympy.sympify(str(value)).evalf(30) - sympy.Float(value.decimal(30), 30)) < 1e-25
 
 
 @pytest.mark.parametrize("old, new, place", [
@@ -141,4 +167,4 @@ def test_the_checker_knows_no_construction() -> None:
     names = {node.module for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
     own = {name for name in names if name and name.startswith("exactmesh.")}
     assert {name for name in own if ".dissection." in name} == {"exactmesh.dissection.records"}
-    assert {name.split(".")[1] for name in own} <= {"dissection", "numbers", "planar"}
+    assert {name.split(".")[1] for name in own} <= {"dissection", "errors", "numbers", "planar"}

@@ -1,0 +1,17 @@
+; appendix-a.triangle-13-14-15: in a triangle with heights of 1 or more |e'| = (X + Y)(1 - 1/(4 r)) >= 1/2
+; sat: false
+(set-logic QF_NRA)
+(declare-const X Real)
+(declare-const Y Real)
+(declare-const Z Real)
+(declare-const r Real)
+(assert (> (* 1.0 X) 0.0))
+(assert (> (* 1.0 Y) 0.0))
+(assert (> (* 1.0 Z) 0.0))
+(assert (> (+ (* 4.0 r) (- 1.0)) 0.0))
+(assert (= (+ (* (- 1.0) X Y Z) (* 1.0 X r r) (* 1.0 Y r r) (* 1.0 Z r r)) 0.0))
+(assert (>= (+ (* 2.0 X r) (* 2.0 Y r) (* 2.0 Z r) (* (- 1.0) Y) (* (- 1.0) Z)) 0.0))
+(assert (>= (+ (* 2.0 X r) (* 2.0 Y r) (* 2.0 Z r) (* (- 1.0) X) (* (- 1.0) Z)) 0.0))
+(assert (>= (+ (* 2.0 X r) (* 2.0 Y r) (* 2.0 Z r) (* (- 1.0) X) (* (- 1.0) Y)) 0.0))
+(assert (> (+ (* (- 4.0) X r) (* (- 4.0) Y r) (* 1.0 X) (* 1.0 Y) (* 2.0 r)) 0.0))
+(check-sat)

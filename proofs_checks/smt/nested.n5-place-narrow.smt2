@@ -1,0 +1,11 @@
+; nested.n5-place-narrow: 0 <= u <= 2 < u + W, W <= 2: a = u + W/2 >= 1 + u/2
+; unsat proves it
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const u Real)
+(assert (>= (* 1.0 u) 0.0))
+(assert (>= (+ (* (- 1.0) u) 2.0) 0.0))
+(assert (>= (+ (* 1.0 W) (* 1.0 u) (- 2.0)) 0.0))
+(assert (>= (+ (* (- 1.0) W) 2.0) 0.0))
+(assert (> (+ (* (- (/ 1.0 2.0)) W) (* (- (/ 1.0 2.0)) u) 1.0) 0.0))
+(check-sat)

@@ -1,0 +1,11 @@
+; wedges.no-corner-rule: without s >= M - 2 H the height of (vr, BL, u) from BL is f* or more
+; sat: false
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const M Real)
+(declare-const s Real)
+(assert (>= (+ (* 1.0 s) (- (/ 3.0 20.0))) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (> (+ (* (- 2.0) H) (* 1.0 M)) 0.0))
+(assert (> (+ (* (- 1.0) H H s s) (* (/ 841.0 390625.0) H H) (* (- (/ 1682.0 390625.0)) M s) (* (/ 841.0 390625.0) M M) (* (/ 841.0 390625.0) s s)) 0.0))
+(check-sat)
