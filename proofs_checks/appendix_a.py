@@ -102,7 +102,7 @@ TRIANGLE = [
             lambda f: at_least(3 * e * e * (4 * r - 1)**2, 4 * r * r * square(f))),
 ]
 NOT_HALF = [
-    refuted("appendix-a.triangle-13-14-15", "in a triangle with heights of 1 or more |e'| = (X + Y)(1 - 1/(4 r)) >= 1/2",
+    refuted("appendix-a.triangle-13-14-15", "heights of 1 or more make |e'| = (X + Y)(1 - 1/(4 r)) >= 1/2",
             (more(X), more(Y), more(Z), more(4 * r, 1), equal(r * r * (X + Y + Z), X * Y * Z),
              at_least(2 * r * (X + Y + Z), Y + Z), at_least(2 * r * (X + Y + Z), X + Z),
              at_least(2 * r * (X + Y + Z), X + Y)),
@@ -126,7 +126,8 @@ def names(*parts: list) -> tuple[str, ...]:
 GROUP = "appendix-a"
 THEOREMS = [
     Theorem("appendix-a.offset-edge-length", "corrected", "1/2 for n >= 4, sqrt(3)/6 for triangles",
-            names(CSC, DEPTH, ONE_REFLEX, OBTUSE, ACUTE, FORMULA, TRIANGLE), GEOMETRY + "Cases by which ends are reflex, acute, neither.",
+            names(CSC, DEPTH, ONE_REFLEX, OBTUSE, ACUTE, FORMULA, TRIANGLE),
+            GEOMETRY + "Cases by which ends are reflex, acute, neither.",
             "1/2: unit square; sqrt(3)/6: the infimum over triangles, attained by the equilateral one"),
     Theorem("appendix-a.offset-edge-length", "refuted", "false of the triangle with sides 13, 14, 15", names(NOT_HALF),
             "X, Y, Z, r as in the script; twice the area over a side is the height on it."),

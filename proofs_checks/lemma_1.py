@@ -87,7 +87,7 @@ def statements() -> list[Statement]:
         found += keeps_distance(f"lemma-1.case-1.half-{name.replace(' ', '-')}",
                                 f"in case 1 s is at distance l/2 or more from the {name}", flat, spot(l / 2, h / 2),
                                 corners[i], corners[j], l * l / 4)
-    found.append(refuted("lemma-1.case-1.strictly", "in case 1 s is farther than l/2 from the line of the right leg", flat,
+    found.append(refuted("lemma-1.case-1.strictly", "in case 1 s is farther than l/2 from the right leg", flat,
                          more(4 * cross(corners[2].minus(corners[1]), spot(-l / 2, h / 2))**2,
                               l * l * dot(corners[2].minus(corners[1]), corners[2].minus(corners[1]))),
                          {"l": "1", "h": "1", "a": "0", "b": "0"}))

@@ -2,7 +2,7 @@
 
 Given   a trapezoid of height H >= g with the left leg from TL = (0,0) to BL = (M,-H); T-vertices v = (c,0) of its top
         keep F = 599/10000 from the line of the leg (I2; the foot is on the leg), neighbours are w = 0.15 or more apart,
-        and those with c < M - 2 H are dropped to feet v' on the leg, so is TR if it is a vertex of Q that far to the left.
+        and those with c < M - 2 H are dropped to feet v' on the leg; so is TR if it is a vertex of Q that far left.
 Claim   W1  triangle (TL, v1', v1); W2 between two dropped vertices, cut by the diagonal from the left foot to the right
         vertex; W3 triangle (vr', BL, vr); W4 triangle (vr, BL, u) with the next vertex u at s >= w, s >= M - 2 H, where
         vr = (0,0) now; R triangle (BL, BR, TR), one wedge, TR = (s,0) a vertex of Q and the right leg leaning out;

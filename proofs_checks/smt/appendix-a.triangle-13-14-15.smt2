@@ -1,4 +1,4 @@
-; appendix-a.triangle-13-14-15: in a triangle with heights of 1 or more |e'| = (X + Y)(1 - 1/(4 r)) >= 1/2
+; appendix-a.triangle-13-14-15: heights of 1 or more make |e'| = (X + Y)(1 - 1/(4 r)) >= 1/2
 ; sat: false
 (set-logic QF_NRA)
 (declare-const X Real)

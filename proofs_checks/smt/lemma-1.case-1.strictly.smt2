@@ -1,4 +1,4 @@
-; lemma-1.case-1.strictly: in case 1 s is farther than l/2 from the line of the right leg
+; lemma-1.case-1.strictly: in case 1 s is farther than l/2 from the right leg
 ; sat: false
 (set-logic QF_NRA)
 (declare-const a Real)

@@ -688,7 +688,7 @@ def _(t: Triple) -> Any:
     return True
 
 
-@harm("rest of another certificate", always_wrong=True)
+@harm("rest of another certificate")
 def _(t: Triple) -> Any:
     other = base(t.source.choice([name for name in BASES if BASES[name][0] != BASES["square"][0]]))
     if other.certificate["faces"] == t.certificate["faces"]:

@@ -22,7 +22,7 @@ def contents(path: Path) -> tuple[list[dict[str, object]], set[tuple[object, ...
 
 
 def search(store: Path, *more: str) -> int:
-    return main(["search", "section-2.p5-feature-size", "--strategy", "random", "--family", "tour:n=5", "--size", "12",
+    return main(["search", "section-2.p5-feature-size", "--strategy", "random", "--family", "tour:n=5", "--size", "6",
                  "--tasks", "60", "--quiet", "--store", str(store), *more])
 
 
@@ -49,7 +49,7 @@ def test_a_cluster_that_loses_a_worker_finds_what_one_process_finds(tmp_path: Pa
         address = client.scheduler.address
         cluster = tmp_path / "cluster.db"
         run = start([sys.executable, "-m", "exactmesh", "search", "section-2.p5-feature-size", "--strategy", "random",
-                     "--family", "tour:n=5", "--size", "12", "--tasks", "60", "--quiet", "--store", str(cluster),
+                     "--family", "tour:n=5", "--size", "6", "--tasks", "60", "--quiet", "--store", str(cluster),
                      "--scheduler", address])
         while time.monotonic() < deadline + 30 and not (cluster.exists() and _tasks(cluster) > 3):
             time.sleep(0.05)

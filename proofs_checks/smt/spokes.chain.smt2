@@ -1,0 +1,10 @@
+; spokes.chain: at the end of a chord of 90 degrees or less, turned so that t = (0, 1/4)
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const mx Real)
+(declare-const my Real)
+(assert (= (+ (* 16.0 mx mx) (* 16.0 my my) (- 1.0)) 0.0))
+(assert (>= (* 1.0 my) 0.0))
+(assert (>= (+ (* (- 4.0) my) 1.0) 0.0))
+(assert (> (+ (* (- 16.0) mx mx) (* 16.0 my my) (* (- 8.0) my) 1.0) 0.0))
+(check-sat)
