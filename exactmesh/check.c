@@ -1,6 +1,7 @@
-/* Check an exactmesh-certificate/1: a second checker, independent of check.py in language and code. C99, no dependency.
+/* Check an exactmesh-certificate/1: a second checker, which shares no code with check.py. C99, no dependency.
  *
- *     cc -std=c99 -O2 -o check check.c && ./check PSLG MESH CERTIFICATE [--max-bytes N] [--max-digits N] [--max-items N]
+ *     cc -std=c99 -O2 -o check check.c
+ *     ./check PSLG MESH CERTIFICATE [--max-bytes N] [--max-digits N] [--max-items N]
  *
  * Prints one line, the same as check.py does: `VALID ...`, which states what is proved, or `INVALID clause: place`.
  * Exit status: 0 valid, 1 invalid, 2 usage, a file that cannot be read, or no memory. docs/certificate.md describes the
@@ -794,7 +795,7 @@ static int64_t meshed, face_count;   /* faces of the mesh, of all */
 static int64_t half_edges, *origin, *start, *face_of, *twin;
 static Keyed *keyed;
 static unsigned char *is_input, *reached;
-static int64_t sides[4];
+static int64_t sides[4], side_count;
 
 static const Point *point(int64_t v) {
     return v < watched ? &mesh.vertices.at[v] : &certificate.vertices.at[v - watched];
@@ -939,7 +940,6 @@ static int by_key(const void *left, const void *right) {
 /* Each directed edge occurs once, and so does its reverse, but for the four sides of the box. */
 static void check_tiling(void) {
     int64_t h, i;
-    int found = 0;
     for (h = 0; h < half_edges; h++) {
         const int64_t u = origin[h], v = target(h);
         keyed[h].key = u < v ? 2 * (u * size + v) : 2 * (v * size + u) + 1;
@@ -960,10 +960,9 @@ static void check_tiling(void) {
         } else {
             const int64_t u = origin[h] - watched, v = target(h) - watched;
             if (u < 0 || u >= 4 || v != (u + 1) % 4) refuse_edge("boundary", h);
-            sides[found++] = h; /* at most four: no directed edge occurs twice */
+            sides[side_count++] = h; /* at most four: no directed edge occurs twice */
         }
     }
-    if (found != 4) refuse("boundary", "box");
 }
 
 /* Each vertex is on a face, each new one of the mesh on a face of the mesh. */
@@ -1047,7 +1046,7 @@ static int is_inside(const Point *p, int64_t face) {
 static void check_holes(void) {
     int64_t face;
     size_t i;
-    for (i = 0; i < 4; i++) flood(face_of[sides[i]], 1);
+    for (i = 0; i < (size_t)side_count; i++) flood(face_of[sides[i]], 1);
     for (i = 0; i < pslg.holes.count; i++) {
         const long long number = (long long)certificate.hole_faces.at[i];
         face = meshed + certificate.hole_faces.at[i];

@@ -557,8 +557,6 @@ class Checker:
                     raise Refused("boundary", self.edge(h))
                 self.sides.append(h)
             i += 1
-        if len(self.sides) != 4:
-            raise Refused("boundary", "box")
 
     def check_use(self) -> None:
         """Each vertex is on a face, each new one of the mesh on a face of the mesh."""

@@ -31,7 +31,9 @@ def entry_text(entry: Entry) -> str:
     lines += [f"given       {given}" for given in claim.given]
     if claim.bound:
         lines.append(f"bound       {claim.bound}")
-    if not entry.judged:
+    if entry.proved:
+        lines.append(f"proved      for all inputs; its certificate was re-checked now: exactmesh prove {claim.id} --fast")
+    elif not entry.judged:
         lines.append("status      open: no single input settles it, and no proof is tied to it yet")
     for judged in entry.judged:
         met = f"in {judged.instances} instances ({judged.construction} construction)"

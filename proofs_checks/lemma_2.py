@@ -12,10 +12,12 @@ Tight   for every a: p over the middle of u v at distance d, and both move towar
 
 from kit import Hint, Theorem, at_least, bounded, main, more, square
 
-from exactmesh.proofs.polynomial import variables
+from exactmesh.proofs.polynomial import polynomial, variables
 
-t, r, s, d, ux, uy, vx, vy = variables("t r s d ux uy vx vy")
-bx, by, cx, cy = variables("bx by cx cy")
+t, r, s, ux, vx, vy = variables("t r s ux vx vy")
+bx, cx, cy = variables("bx cx cy")
+# Turned so that the motion of u, and b, are horizontal.
+uy = by = polynomial(0)
 
 mx, my = (1 - t) * ux + t * vx, (1 - t) * uy + t * vy
 STATEMENTS = [
@@ -27,10 +29,10 @@ STATEMENTS = [
             (more(r), more(s), at_least(r * r, bx * bx + by * by), at_least(s * s, cx * cx + cy * cy)),
             lambda f: at_least((r + s) * (r + s) / square(f), (bx - cx) * (bx - cx) + (by - cy) * (by - cy)),
             Hint(squares=(r * cx + s * bx, r * cy + s * by), degrees=(4,))),
-    bounded("lemma-2.distance-left", "|c| >= d and |b| <= 2 r < d imply |c - b| >= d - 2 r",
-            (more(r), more(d, 2 * r), at_least(cx * cx + cy * cy, d * d), at_least(4 * r * r, bx * bx + by * by)),
-            lambda f: at_least((cx - bx) * (cx - bx) + (cy - by) * (cy - by), square(f) * (d - 2 * r) * (d - 2 * r)),
-            Hint(squares=(2 * r * (cx - bx) - (d - 2 * r) * bx, 2 * r * (cy - by) - (d - 2 * r) * by), degrees=(4,))),
+    bounded("lemma-2.distance-left", "|c| >= d = s + 2 r and |b| <= 2 r imply |c - b| >= s = d - 2 r",
+            (more(r), more(s), at_least(cx * cx + cy * cy, (s + 2 * r)**2), at_least(2 * r, bx), at_least(bx, -2 * r)),
+            lambda f: at_least((cx - bx)**2 + cy * cy, square(f) * s * s),
+            Hint(squares=(2 * r * (cx - bx) - s * bx, cy, cx - bx, s * bx - r * cx, cx), degrees=(4,))),
 ]
 
 GROUP = "lemma-2"

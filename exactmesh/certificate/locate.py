@@ -10,6 +10,8 @@ from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import orientation
 from exactmesh.planar.cycles import Cycle, sides
 
+Spans = tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]
+
 
 def faces_around(wanted: Sequence[Point], points: Sequence[Point], faces: Sequence[Cycle]) -> list[int]:
     """Return the number of the first face with each of the `wanted` points inside or on its boundary, -1 for none.
@@ -19,20 +21,23 @@ def faces_around(wanted: Sequence[Point], points: Sequence[Point], faces: Sequen
     """
     if not wanted or not faces:
         return [-1] * len(wanted)
-    near = np.ones((len(wanted), len(faces)), dtype=np.bool_)
-    for axis in (0, 1):
-        near &= _near([p[axis] for p in wanted], [p[axis] for p in points], faces)
-    return [next((face for face in np.flatnonzero(row).tolist() if all(
-        orientation(points[u], points[v], p) >= 0 for u, v in sides(faces[face]))), -1)
-            for p, row in zip(wanted, near, strict=True)]
+    spans = [_spans([p[axis] for p in wanted], [p[axis] for p in points], faces) for axis in (0, 1)]
+    return [_face_around(p, number, points, faces, spans) for number, p in enumerate(wanted)]
 
 
-def _near(wanted: Sequence[mpq], values: Sequence[mpq], faces: Sequence[Cycle]) -> NDArray[np.bool_]:
-    """Return, by wanted value and face, whether the value lies in the face's span; by ranks, so exactly."""
+def _face_around(p: Point, number: int, points: Sequence[Point], faces: Sequence[Cycle], spans: Sequence[Spans]) -> int:
+    near = np.ones(len(faces), dtype=np.bool_)
+    for low, high, rank in spans:
+        near &= (low <= rank[number]) & (rank[number] <= high)
+    for face in np.flatnonzero(near).tolist():
+        if all(orientation(points[u], points[v], p) >= 0 for u, v in sides(faces[face])):
+            return face
+    return -1
+
+
+def _spans(wanted: Sequence[mpq], values: Sequence[mpq], faces: Sequence[Cycle]) -> Spans:
+    """Return the least and the greatest value of each face, and the wanted ones, as ranks: exactly."""
     place = {value: r for r, value in enumerate(sorted({*wanted, *values}))}
     ranks = [place[value] for value in values]
-    low = np.array([min(ranks[v] for v in face) for face in faces])
-    high = np.array([max(ranks[v] for v in face) for face in faces])
-    rank = np.array([place[value] for value in wanted])[:, None]
-    inside: NDArray[np.bool_] = (low <= rank) & (rank <= high)
-    return inside
+    return (np.array([min(ranks[v] for v in face) for face in faces]),
+            np.array([max(ranks[v] for v in face) for face in faces]), np.array([place[value] for value in wanted]))

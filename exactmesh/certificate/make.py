@@ -2,7 +2,7 @@
 
 In      a subdivided PSLG, a mesh that was verified, the hashes of the two files.
 Out     `Certificate`.
-Raises  `InputError` for an internal mesh or one that is not valid; what `construct` raises.
+Raises  `InputError` for an internal mesh or one that is not valid.
 Check   `exactmesh/check.py`, `exactmesh/check.c`; docs/certificate.md proves that what they accept is true.
 
 Around each vertex of the mesh there must be room for a disc as large as the bound claims. The faces of the mesh leave
@@ -17,7 +17,7 @@ from gmpy2 import isqrt, mpq
 from exactmesh.certificate.locate import faces_around
 from exactmesh.certificate.record import Certificate
 from exactmesh.classic import classic_mesh
-from exactmesh.errors import InputError
+from exactmesh.errors import ConstructionFailed, InputError
 from exactmesh.geometry.distance import distance_squared, segment_distance_squared
 from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
@@ -38,10 +38,10 @@ def certificate_of(subdivision: Subdivision, mesh: Mesh, verification: Verificat
     """Return a certificate that `mesh` is a mesh of the domain of `subdivision` and keeps a feature size."""
     if mesh.kind == "internal":
         raise InputError("internal meshes split edges of the input: certificates are for the other kinds")
-    nearest = verification.input_mfs
-    if not verification.valid or nearest is None:
+    nearest, least = verification.input_mfs, verification.mesh_mfs
+    if not verification.valid or nearest is None or least is None:
         raise InputError("a mesh that is not valid has no certificate")
-    points, faces, bound = _rest(subdivision, mesh, nearest.squared, progress)
+    points, faces, bound = _rest(subdivision, mesh, nearest.squared, least.squared, progress)
     degradation = nearest.squared / bound
     return Certificate(
         pslg_sha256, mesh_sha256, text_from_rational(bound), _root_text(bound), text_from_rational(nearest.squared),
@@ -49,11 +49,14 @@ def certificate_of(subdivision: Subdivision, mesh: Mesh, verification: Verificat
         points[len(mesh.vertices) :], faces, tuple(faces_around(subdivision.pslg.holes, points, faces)))
 
 
-def _rest(subdivision: Subdivision, mesh: Mesh, mfs_squared: mpq, progress: Callable[[str], None]
+def _rest(subdivision: Subdivision, mesh: Mesh, mfs_squared: mpq, enough: mpq, progress: Callable[[str], None]
           ) -> tuple[tuple[Point, ...], tuple[Cycle, ...], mpq]:
-    """Return all points, the faces of the rest, and the squared room that all faces leave to the mesh's vertices."""
+    """Return all points, the faces of the rest, and the squared room that all faces leave to the mesh's vertices.
+
+    There cannot be more room than the mesh's mfs, which is `enough`.
+    """
     progress("certificate: triangulation")
-    complement = domain_of(_complement(subdivision, mesh, mfs_squared))
+    complement = domain_of(_complement(subdivision, mesh))
     watched, given = len(mesh.vertices), len(subdivision.pslg.vertices)
     room = _least_room(mesh.vertices, mesh.faces, watched)
 
@@ -63,14 +66,21 @@ def _rest(subdivision: Subdivision, mesh: Mesh, mfs_squared: mpq, progress: Call
         return points, faces, min(room, _least_room(points, faces, watched))
 
     first = placed(classic_mesh(complement))
-    if first[2] == room:
+    if first[2] == enough:
         return first
-    second = placed(construct(complement, mfs_squared, lambda step: progress(f"certificate: {step}")).mesh)
+    try:
+        second = placed(construct(complement, mfs_squared, lambda step: progress(f"certificate: {step}")).mesh)
+    except ConstructionFailed:
+        return first  # less room, but room
     return max(first, second, key=lambda made: made[2])
 
 
-def _complement(subdivision: Subdivision, mesh: Mesh, mfs_squared: mpq) -> Pslg:
-    """Return the PSLG in a box, about twice the mfs away, with the domain as holes and the holes as domain."""
+def _complement(subdivision: Subdivision, mesh: Mesh) -> Pslg:
+    """Return the PSLG in a box with the domain as holes and the holes as domain.
+
+    The box is about as far away as the input is long, so that triangles between them need not be thin; that is more
+    than the mfs.
+    """
     owner, _ = directed_edges(mesh.faces)
     half_edges = subdivision.half_edges
     inside = []
@@ -79,7 +89,10 @@ def _complement(subdivision: Subdivision, mesh: Mesh, mfs_squared: mpq) -> Pslg:
         cycle = mesh.faces[owner[half_edges.origin[h], half_edges.target(h)]]
         inside.append(_centroid([mesh.vertices[v] for v in cycle]))
     pslg = subdivision.pslg
-    return with_bounding_box(Pslg(pslg.vertices, pslg.edges, tuple(inside)), sqrt_below(4 * mfs_squared, 8))
+    extent = max(max(p[axis] for p in pslg.vertices) - min(p[axis] for p in pslg.vertices) for axis in (0, 1))
+    # Below the root by less than a part in 128, so above the extent.
+    margin = sqrt_below(extent * extent * mpq(26, 25), 8)
+    return with_bounding_box(Pslg(pslg.vertices, pslg.edges, tuple(inside)), margin)
 
 
 def _centroid(points: list[Point]) -> Point:

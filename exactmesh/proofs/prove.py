@@ -73,8 +73,11 @@ def prove(ids: Sequence[str] = (), fast: bool = False, seconds: float = 30,
           progress: Callable[[str], None] = lambda step: None) -> Iterator[Result]:
     """Yield what each method says of each problem; with `fast`, certificates and guards only.
 
-    Engines that are not installed are left out; each has at most `seconds` for a problem.
+    Engines that are not installed are left out; each has at most `seconds` for a problem. Raises `InputError` for
+    unknown ids and for seconds that are not between 0 and a day.
     """
+    if not 0 < seconds <= 86400:
+        raise InputError(f"an engine needs some seconds, at most a day of them, not {seconds}")
     with ExitStack() as stack:
         engines = [] if fast else [stack.enter_context(Engine(name, seconds)) for name in ENGINES if installed(name)]
         for group, problem, claims in chosen(ids):

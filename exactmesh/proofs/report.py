@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from exactmesh.proofs.prove import Result, Summary
 
-_SHOWS = {"claim": "proved", "corrected": "corrected form proved", "refuted": "refuted for a whole family",
+_SHOWS = {"claim": "proved", "corrected": "corrected form proved", "refuted": "refuted",
           "part": "part proved"}
 
 

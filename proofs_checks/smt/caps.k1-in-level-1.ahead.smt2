@@ -1,5 +1,5 @@
 ; caps.k1-in-level-1.ahead: k1, e' in, level, vertex 1 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (assert (>= (* (- (/ 29.0 125.0)) dx) 0.0))

@@ -1,5 +1,5 @@
 ; caps.k1-in-up-2.ahead: k1, e' in, up, vertex 2 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (declare-const dy Real)

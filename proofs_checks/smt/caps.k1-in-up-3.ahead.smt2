@@ -1,5 +1,5 @@
 ; caps.k1-in-up-3.ahead: k1, e' in, up, vertex 3 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (declare-const dy Real)

@@ -1,5 +1,5 @@
 ; caps.k2-out-down-4.ahead: k2, e' out, down, vertex 4 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (declare-const dy Real)

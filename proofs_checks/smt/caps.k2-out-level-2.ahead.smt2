@@ -1,5 +1,5 @@
 ; caps.k2-out-level-2.ahead: k2, e' out, level, vertex 2 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (assert (>= 0.0 0.0))

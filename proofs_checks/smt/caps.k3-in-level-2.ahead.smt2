@@ -1,5 +1,5 @@
 ; caps.k3-in-level-2.ahead: k3, e' in, level, vertex 2 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (assert (>= (* (/ 29.0 125.0) dx) 0.0))

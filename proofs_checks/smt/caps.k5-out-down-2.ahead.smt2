@@ -1,5 +1,5 @@
 ; caps.k5-out-down-2.ahead: k5, e' out, down, vertex 2 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (declare-const dy Real)

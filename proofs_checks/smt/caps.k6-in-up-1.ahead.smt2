@@ -1,5 +1,5 @@
 ; caps.k6-in-up-1.ahead: k6, e' in, up, vertex 1 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (declare-const dy Real)

@@ -1,5 +1,5 @@
 ; caps.k6-out-down-3.ahead: k6, e' out, down, vertex 3 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (declare-const dy Real)

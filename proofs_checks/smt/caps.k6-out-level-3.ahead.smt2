@@ -1,5 +1,5 @@
 ; caps.k6-out-level-3.ahead: k6, e' out, level, vertex 3 steps away; the foot is on the ray
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const dx Real)
 (assert (>= 0.0 0.0))

@@ -1,5 +1,5 @@
 ; clean.a0-values: P >= g and Q >= Fp make P Q/(P + Q) >= f*
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const P Real)
 (declare-const Q Real)

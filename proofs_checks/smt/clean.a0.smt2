@@ -1,5 +1,5 @@
 ; clean.a0: S = twice the area, sides a, b, c: heights S/a >= P and S/b >= Q make S/c >= P Q/(P + Q)
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const P Real)
 (declare-const Q Real)

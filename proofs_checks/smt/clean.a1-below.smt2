@@ -1,5 +1,5 @@
 ; clean.a1-below: r > 0 and the foot of BL farther than g below BR: F or more from the line
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

@@ -1,5 +1,5 @@
 ; clean.a1-good: F is above Fp
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const P Real)
 (assert (>= (+ (* 1.0 P) (- (/ 599.0 10000.0))) 0.0))

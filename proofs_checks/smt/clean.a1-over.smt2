@@ -1,5 +1,5 @@
 ; clean.a1-over: r <= 0 and the foot of BL beyond the right leg: at distance F or more from its line
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

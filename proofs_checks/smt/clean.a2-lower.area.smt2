@@ -1,5 +1,5 @@
 ; clean.a2-lower.area: good BL: triangle BL, BR, TR: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

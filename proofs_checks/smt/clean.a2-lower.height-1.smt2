@@ -1,5 +1,5 @@
 ; clean.a2-lower.height-1: good BL: triangle BL, BR, TR: the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

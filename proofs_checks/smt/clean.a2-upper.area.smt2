@@ -1,5 +1,5 @@
 ; clean.a2-upper.area: good BL and TL, a >= b: triangle BL, TR, TL: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const a Real)

@@ -1,5 +1,5 @@
 ; clean.a2-upper.height-3: good BL and TL, a >= b: triangle BL, TR, TL: the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const a Real)

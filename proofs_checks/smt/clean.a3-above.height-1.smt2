@@ -1,5 +1,5 @@
 ; clean.a3-above.height-1: no good corner below: triangle TR, TL, centre: the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

@@ -1,5 +1,5 @@
 ; clean.a3-below.area: no good corner below: triangle BL, BR, centre: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

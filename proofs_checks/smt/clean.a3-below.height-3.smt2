@@ -1,5 +1,5 @@
 ; clean.a3-below.height-3: no good corner below: triangle BL, BR, centre: the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const b Real)

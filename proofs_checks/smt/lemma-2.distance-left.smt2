@@ -1,15 +1,15 @@
-; lemma-2.distance-left: |c| >= d and |b| <= 2 r < d imply |c - b| >= d - 2 r
-; unsat proves it
+; lemma-2.distance-left: |c| >= d = s + 2 r and |b| <= 2 r imply |c - b| >= s = d - 2 r
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const bx Real)
-(declare-const by Real)
 (declare-const cx Real)
 (declare-const cy Real)
-(declare-const d Real)
 (declare-const r Real)
+(declare-const s Real)
 (assert (> (* 1.0 r) 0.0))
-(assert (> (+ (* 1.0 d) (* (- 2.0) r)) 0.0))
-(assert (>= (+ (* 1.0 cx cx) (* 1.0 cy cy) (* (- 1.0) d d)) 0.0))
-(assert (>= (+ (* (- 1.0) bx bx) (* (- 1.0) by by) (* 4.0 r r)) 0.0))
-(assert (> (+ (* 2.0 bx cx) (* (- 1.0) bx bx) (* 2.0 by cy) (* (- 1.0) by by) (* (- 1.0) cx cx) (* (- 1.0) cy cy) (* (- 4.0) d r) (* 1.0 d d) (* 4.0 r r)) 0.0))
+(assert (> (* 1.0 s) 0.0))
+(assert (>= (+ (* 1.0 cx cx) (* 1.0 cy cy) (* (- 4.0) r s) (* (- 4.0) r r) (* (- 1.0) s s)) 0.0))
+(assert (>= (+ (* (- 1.0) bx) (* 2.0 r)) 0.0))
+(assert (>= (+ (* 1.0 bx) (* 2.0 r)) 0.0))
+(assert (> (+ (* 2.0 bx cx) (* (- 1.0) bx bx) (* (- 1.0) cx cx) (* (- 1.0) cy cy) (* 1.0 s s)) 0.0))
 (check-sat)

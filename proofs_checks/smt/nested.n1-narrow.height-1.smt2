@@ -1,5 +1,5 @@
 ; nested.n1-narrow.height-1: tooth over W <= 2, apex over the middle: the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const W Real)
 (declare-const t Real)

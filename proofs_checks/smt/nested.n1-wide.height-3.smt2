@@ -1,5 +1,5 @@
 ; nested.n1-wide.height-3: tooth over W >= 2, apex 1 or more from both ends: the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const W Real)
 (declare-const t Real)

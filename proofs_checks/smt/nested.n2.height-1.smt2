@@ -1,5 +1,5 @@
 ; nested.n2.height-1: T-vertex and its two apexes, heights 0.2 to 0.6: the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const p Real)
 (declare-const q Real)

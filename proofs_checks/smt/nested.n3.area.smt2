@@ -1,5 +1,5 @@
 ; nested.n3.area: (A, E, a), a on A-F beyond f/2: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const e Real)
 (declare-const f Real)

@@ -1,5 +1,5 @@
 ; nested.n3.height-3: (A, E, a), a on A-F beyond f/2: the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const e Real)
 (declare-const f Real)

@@ -1,5 +1,5 @@
 ; nested.n3e.between: a member, k t or more before E, against E-a; the foot lies on the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const e Real)
 (declare-const f Real)

@@ -1,5 +1,5 @@
 ; nested.n3m: a member keeps 1/sqrt(29) from the line A-F
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const e Real)
 (declare-const f Real)

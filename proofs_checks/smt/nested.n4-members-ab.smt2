@@ -1,5 +1,5 @@
 ; nested.n4-members-ab: a member against A-B
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const e Real)

@@ -1,5 +1,5 @@
 ; nested.n4-members-zb.before: a member, k t or more before z, against z-B; the foot lies before the segment
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const e Real)

@@ -1,5 +1,5 @@
 ; nested.n4.area: (A, z, B): counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const e Real)

@@ -1,5 +1,5 @@
 ; nested.n4.height-1: (A, z, B): the height from corner 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const e Real)

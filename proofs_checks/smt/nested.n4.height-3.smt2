@@ -1,5 +1,5 @@
 ; nested.n4.height-3: (A, z, B): the height from corner 3
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const D Real)
 (declare-const e Real)

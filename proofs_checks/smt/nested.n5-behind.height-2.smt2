@@ -1,5 +1,5 @@
 ; nested.n5-behind.height-2: u < 0: the height from corner 2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const m Real)

@@ -1,5 +1,5 @@
 ; nested.n5-outwards.area: leg outwards, u > 2: counter-clockwise
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const a Real)
 (declare-const m Real)

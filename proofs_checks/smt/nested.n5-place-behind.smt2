@@ -1,5 +1,5 @@
 ; nested.n5-place-behind: u < 0, u + W >= 2: a = u + W - 1 >= 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const W Real)
 (declare-const u Real)

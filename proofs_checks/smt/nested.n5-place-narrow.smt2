@@ -1,5 +1,5 @@
 ; nested.n5-place-narrow: 0 <= u <= 2 < u + W, W <= 2: a = u + W/2 >= 1 + u/2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const W Real)
 (declare-const u Real)

@@ -1,5 +1,5 @@
 ; nested.n6.height-2: fan: (A, u, u + W), both within 2: the height from corner 2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const W Real)
 (declare-const t Real)

@@ -1,5 +1,5 @@
 ; p6-gap.above-45: (17/18)(L - 1/2) is above 45 from L = 49 on
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const L Real)
 (assert (>= (+ (* 1.0 L) (- 49.0)) 0.0))

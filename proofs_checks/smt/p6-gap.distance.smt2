@@ -1,5 +1,5 @@
 ; p6-gap.distance: the T-vertex is nearer than (18/17)/(L - 1/2) to the spoke
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const L Real)

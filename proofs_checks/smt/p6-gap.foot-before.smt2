@@ -1,5 +1,5 @@
 ; p6-gap.foot-before: the foot of the T-vertex is not beyond the spoke
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const L Real)

@@ -1,5 +1,5 @@
 ; p6-gap.linear: with H >= 10/21 the distance is above (4/5)/(L - 1/2)
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const H Real)
 (declare-const L Real)

@@ -1,5 +1,5 @@
 ; refinement.8-d3-octagon: 16/sin(pi/8) < 45
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const s Real)
 (assert (>= (* 1.0 s) 0.0))

@@ -1,5 +1,5 @@
 ; refinement.8-d3-tube: 32 sqrt 2 > 45
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const q Real)
 (assert (> (* 1.0 q) 0.0))

@@ -1,5 +1,5 @@
 ; refinement.apart: 1 - sqrt(2)/2 > sin(pi/8)/2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const q Real)
 (declare-const s Real)

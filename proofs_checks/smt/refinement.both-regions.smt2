@@ -1,5 +1,5 @@
 ; refinement.both-regions: 1/(4 sqrt 2) - sin(pi/8)/8 >= sin(pi/8)/4
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const q Real)
 (declare-const s Real)

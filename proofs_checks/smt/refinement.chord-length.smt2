@@ -1,5 +1,5 @@
 ; refinement.chord-length: 16 a.m <= c makes a chord at least sqrt((1 - c)/8) long; c = cos 45
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const ax Real)
 (declare-const ay Real)

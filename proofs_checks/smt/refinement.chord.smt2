@@ -1,5 +1,5 @@
 ; refinement.chord: a chord of 90 degrees or less keeps 1/(4 sqrt 2) from the centre
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const mx Real)
 (declare-const my Real)

@@ -1,5 +1,5 @@
 ; refinement.nearest-end: at an angle of 90 degrees or more the nearest point is the vertex
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const b Real)
 (declare-const ux Real)

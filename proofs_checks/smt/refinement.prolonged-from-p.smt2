@@ -1,5 +1,5 @@
 ; refinement.prolonged-from-p: a point b > 0 beyond the end of the arc is farther than 1/4 from v
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const b Real)
 (assert (> (* 1.0 b) 0.0))

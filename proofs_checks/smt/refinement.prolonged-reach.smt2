@@ -1,5 +1,5 @@
 ; refinement.prolonged-reach: for b <= 1/4, tan of half of 90 degrees, it is within sqrt(2)/4 of v
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const b Real)
 (assert (> (* 1.0 b) 0.0))

@@ -1,5 +1,5 @@
 ; refinement.quarter: 1/4 > sin(pi/8)/2
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const s Real)
 (assert (>= (* 1.0 s) 0.0))

@@ -1,5 +1,5 @@
 ; refinement.triangle: 1/4 > sin(pi/8)/2 and 1/4 <= 1 - 1/(4 r) for 3 r >= 1
-; unsat proves it
+; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const b Real)
 (declare-const s Real)

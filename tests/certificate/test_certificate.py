@@ -8,6 +8,7 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import families
 import pytest
@@ -60,8 +61,28 @@ def test_proper_meshes_have_certificates(pslg: Pslg) -> None:
 
 def test_the_rest_is_meshed_only_where_a_triangulation_leaves_too_little_room() -> None:
     assert len(base("square").certificate["vertices"]) == 4
-    for name in ("midway 100", "map 1, classic"):
+    for name in ("growth, classic", "map 1, classic"):
         assert len(base(name).certificate["vertices"]) > 20
+
+
+def test_a_rest_that_cannot_be_meshed_leaves_less_room_but_a_certificate() -> None:
+    def fails(*args: object) -> None:
+        raise ConstructionFailed("tube", None)
+
+    run = _run(BASES["growth, classic"][0], "classic")
+    with patch("exactmesh.certificate.make.construct", fails):
+        found = certificate_of(run.subdivision, run.mesh, run.verification, "", "")
+    assert len(found.vertices) == 4
+    assert Fraction(found.mfs_squared_at_least) < Fraction(base("growth, classic").certificate["mfs_squared_at_least"])
+
+
+def test_a_size_that_the_outside_decides_is_met() -> None:
+    # A hole that is 1/100 wide: the mfs is there, and the faces of the mesh have more.
+    ring = families.ring([(0, 0), (9, 0), (9, 9), (0, 9), (3, 3), (6, 3), (4, Fraction(301, 100))])
+    edges = (0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 4)
+    certificate = triple_of(Pslg(ring.vertices, edges, (point(4, "1501/500"),)), "classic").certificate
+    assert certificate["mfs_squared_at_least"] == certificate["input_mfs_squared_at_most"] == "1/10000"
+    assert certificate["degradation_at_most"] == "1" and len(certificate["vertices"]) == 4
 
 
 @pytest.mark.parametrize("name", BASES)

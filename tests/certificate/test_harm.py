@@ -12,7 +12,8 @@ from triples import BASES, base, harmless, truth
 
 
 def test_there_are_many_kinds_of_harm() -> None:
-    assert len(HARMS) >= 25 and ALWAYS_WRONG <= set(HARMS) and KEEPS_HASHES <= set(HARMS)
+    assert len(HARMS) >= 25
+    assert (ALWAYS_WRONG | KEEPS_HASHES).issubset(HARMS)
     applied = {kind for kind in HARMS for name in list(BASES) if harmed(name, kind, 0) is not None}
     assert applied == set(HARMS)
 
@@ -20,11 +21,11 @@ def test_there_are_many_kinds_of_harm() -> None:
 def test_a_campaign_finds_no_fault(tmp_path: Path) -> None:
     checkers = [by_python]
     by_c = ByC(build(tmp_path)) if COMPILER else None
-    faults, table = run(2026, 600, [*checkers, by_c] if by_c else checkers)
+    faults, table = run(2026, 450, [*checkers, by_c] if by_c else checkers)
     if by_c:
         by_c.close()
     assert faults == []
-    assert "600 harmed of" in table and "all true" in table
+    assert "450 harmed of" in table and "all true" in table
 
 
 def test_a_campaign_is_the_same_for_the_same_seed() -> None:
@@ -51,7 +52,7 @@ def test_the_truth_is_seen_without_the_checkers() -> None:
             ("decimal forged by one in the last place", "_at_"), ("face turned around", ""),
             ("several faces of the mesh dropped", "invalid"), ("edge of the input doubled", "refused"),
             ("hole point added outside", "refused"), ("all mirrored: faces clockwise", "invalid")):
-        found = [files for seed in range(6) if (files := harmed("square, classic", kind, seed)) is not None]
+        found = [files for seed in range(6) if (files := harmed("two points", kind, seed)) is not None]
         verdicts = [truth(files) for files in found]
         assert any(verdicts) and all(word in verdict for verdict in verdicts if verdict), (kind, verdicts)
 

@@ -20,7 +20,7 @@ def test_fast_mode_re_checks_all_certificates(capsys: pytest.CaptureFixture[str]
 
 
 def test_json_has_the_keys_of_the_formats_document(capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main(["prove", "lemma-1.side-distance", "--fast", "--json", "--quiet"]) == 0
+    assert cli.main(["prove", "lemma-1.case-1-feature-size", "--fast", "--json", "--quiet"]) == 0
     proofs = json.loads(capsys.readouterr().out)["proofs"]
     assert proofs and all({"claim", "method", "result", "seconds", "certificate"} <= set(proof) for proof in proofs)
     assert {proof["result"] for proof in proofs} == {"proved"}
@@ -29,6 +29,12 @@ def test_json_has_the_keys_of_the_formats_document(capsys: pytest.CaptureFixture
 def test_an_unknown_name_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["prove", "no-such-claim", "--fast"]) == 2
     assert "no-such-claim" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("seconds", ["0", "-1", "nan", "inf"])
+def test_seconds_have_a_range(seconds: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["prove", "--fast", "--seconds", seconds]) == 2
+    assert "seconds" in capsys.readouterr().err
 
 
 def test_a_proof_that_fails_is_an_exit_status(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
