@@ -32,7 +32,7 @@ def entry_text(entry: Entry) -> str:
     if claim.bound:
         lines.append(f"bound       {claim.bound}")
     if entry.proved:
-        lines.append(f"proved      for all inputs; its certificate was re-checked now: exactmesh prove {claim.id} --fast")
+        lines.append(f"proved      for all inputs; re-checked now, as by: exactmesh prove {claim.id} --fast")
     elif not entry.judged:
         lines.append("status      open: no single input settles it, and no proof is tied to it yet")
     for judged in entry.judged:
