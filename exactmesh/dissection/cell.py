@@ -1,4 +1,4 @@
-"""One cell of the strip: the rectangle of height epsilon that a slice of a triangle becomes (DESIGN 12, steps 1 and 2).
+"""One cell of the strip: the rectangle of height epsilon that a slice of a triangle becomes.
 
 The triangle stands on its longest side, of length w, start at (0, 0), apex at (f w, 2 h), 0 < f < 1. Cut at mid-height
 and along the altitude above; the upper parts make half-turns about (f w / 2, h) and ((1 + f) w / 2, h), the middles
