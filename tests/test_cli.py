@@ -19,6 +19,8 @@ from gmpy2 import mpq
 
 import exactmesh
 from exactmesh import api, cli
+from exactmesh.commands import mesh as mesh_command
+from exactmesh.commands import options, size
 from exactmesh.data import EXAMPLES
 from exactmesh.errors import ConstructionFailed
 from exactmesh.io.mesh_json import json_from_mesh, mesh_from_json
@@ -190,7 +192,7 @@ def test_a_failing_claim_is_status_1_and_the_results_are_written(
         return replace(good, judgements=(replace(good.judgements[0], verdict=bad), *good.judgements[1:]))
 
     whole = api.meshing_of
-    monkeypatch.setattr(cli, "meshing_of", meshing_of)
+    monkeypatch.setattr(mesh_command, "meshing_of", meshing_of)
     out, report, svg = (tmp_path / name for name in ("m.json", "r.json", "s.svg"))
     result = run("mesh", "-", "-o", str(out), "--report", str(report), "--svg", str(svg), stdin=ROOM)
     failing = api.mesh(SQUARE).judgements[0].claim.id
@@ -208,7 +210,7 @@ def test_a_failing_claim_is_told_when_quiet(run: Run, monkeypatch: pytest.Monkey
         good = whole(done)
         return replace(good, judgements=(replace(good.judgements[0], verdict=Verdict(0, False)),))
 
-    monkeypatch.setattr(cli, "meshing_of", meshing_of)
+    monkeypatch.setattr(mesh_command, "meshing_of", meshing_of)
     result = run("mesh", "-", "--quiet", stdin=ROOM)
     assert result.status == 1 and result.out == "" and result.err.endswith(" fails\n")
 
@@ -218,7 +220,7 @@ def test_a_failed_construction_is_told_as_a_counterexample(run: Run, tmp_path: P
     def meshing_of(done: Any) -> api.Meshing:
         raise ConstructionFailed("one-sided quadrilateral", {"a": "(1, 2)"})
 
-    monkeypatch.setattr(cli, "meshing_of", meshing_of)
+    monkeypatch.setattr(mesh_command, "meshing_of", meshing_of)
     result = run("mesh", "-", "-o", str(tmp_path / "m.json"), stdin=ROOM)
     assert result.status == 1 and result.out == "" and os.listdir(tmp_path) == []
     assert "one-sided quadrilateral" in result.err and "(1, 2)" in result.err and "counterexample" in result.err
@@ -472,7 +474,7 @@ def test_an_interruption_is_status_130(run: Run, monkeypatch: pytest.MonkeyPatch
     def interrupted(path: str) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(cli, "read_pslg", interrupted)
+    monkeypatch.setattr(options, "read_pslg", interrupted)
     assert run(*command) == (130, "", "exactmesh: interrupted\n")
 
 
@@ -490,7 +492,7 @@ def test_a_reader_that_has_gone_ends_the_command_quietly(run: Run, monkeypatch: 
     def gone(args: Any) -> int:
         raise BrokenPipeError
 
-    monkeypatch.setattr(cli, "_size", gone)
+    monkeypatch.setattr(size, "_run", gone)
     assert run("mfs", "-") == (1, "", "")
 
 

@@ -15,6 +15,7 @@ from gmpy2 import mpq
 
 from exactmesh import cli
 from exactmesh.claims.run import Run
+from exactmesh.commands import exit_status, reproduce
 from exactmesh.measure.ifs import mesh_ifs
 from exactmesh.measure.mfs import Nearest
 from exactmesh.reproduce.families import FAMILIES
@@ -273,13 +274,13 @@ def few(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let the command see tiny sizes only."""
     def rows(made: tuple[Made, ...], short: bool, progress: Any) -> Iterator[Row]:
         return table1_rows(made, short, progress, TINY)
-    monkeypatch.setattr(cli, "table1_rows", rows)
+    monkeypatch.setattr(reproduce, "table1_rows", rows)
 
 
 def test_the_command_writes_three_files_and_prints_the_table(few: None, tmp_path: Path,
                                                              capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "new" / "folder"
-    assert cli.main(["reproduce", "table1", "--short", "-o", str(folder)]) == cli.HOLDS
+    assert cli.main(["reproduce", "table1", "--short", "-o", str(folder)]) == exit_status.HOLDS
     out, err = capsys.readouterr()
     assert err == "" and out == (folder / "table1.txt").read_text()
     assert {path.name for path in folder.iterdir()} == {"table1.txt", "table1.csv", "table1.svg"}
@@ -288,7 +289,7 @@ def test_the_command_writes_three_files_and_prints_the_table(few: None, tmp_path
 
 
 def test_the_command_prints_json_of_some_kinds(few: None, capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main(["reproduce", "table1", "--json", "--kinds", "proper,classic", "--quiet"]) == cli.HOLDS
+    assert cli.main(["reproduce", "table1", "--json", "--kinds", "proper,classic", "--quiet"]) == exit_status.HOLDS
     found = json.loads(capsys.readouterr().out)
     assert [record["kind"] for record in found["rows"]] == ["classic", "proper"] * 12
     assert {law["kind"] for law in found["laws"]} == {"classic", "proper"}
@@ -298,8 +299,8 @@ def test_the_command_fails_and_still_writes_when_a_verdict_fails(monkeypatch: py
                                                                  capsys: pytest.CaptureFixture[str], tiny: list[Row]
                                                                  ) -> None:
     bad = harmed(row_of(tiny, "floor", 8, "nonproper"), mpq(500))
-    monkeypatch.setattr(cli, "table1_rows", lambda *arguments: iter([bad]))
-    assert cli.main(["reproduce", "table1", "-o", str(tmp_path)]) == cli.FAILS
+    monkeypatch.setattr(reproduce, "table1_rows", lambda *arguments: iter([bad]))
+    assert cli.main(["reproduce", "table1", "-o", str(tmp_path)]) == exit_status.FAILS
     out, err = capsys.readouterr()
     assert "FAILS" in out and err == "floor k = 8, nonproper: degradation <= 21.6\n"
     (record,) = csv.DictReader(io.StringIO((tmp_path / "table1.csv").read_text()))
@@ -307,9 +308,6 @@ def test_the_command_fails_and_still_writes_when_a_verdict_fails(monkeypatch: py
 
 
 @pytest.mark.parametrize("arguments, message", [
-    (["bounds", "--short"], "for table1"),
-    (["bounds", "--kinds", "proper"], "for table1"),
-    (["bounds", "-o", "somewhere"], "for table1"),
     (["table1", "-o", "-"], "needs a folder"),
     (["table1", "-o", "{file}/below"], "no folder can be made"),
     (["table1", "-o", "{file}"], "no folder can be made"),
@@ -318,7 +316,14 @@ def test_what_the_command_refuses(few: None, tmp_path: Path, capsys: pytest.Capt
                                   message: str) -> None:
     (tmp_path / "file").write_text("")
     status = cli.main(["reproduce", *(argument.format(file=tmp_path / "file") for argument in arguments)])
-    assert status == cli.REFUSED and message in capsys.readouterr().err
+    assert status == exit_status.REFUSED and message in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("arguments", [["--short"], ["--kinds", "proper"], ["-o", "somewhere"]])
+def test_what_is_for_table1_only(capsys: pytest.CaptureFixture[str], arguments: list[str]) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        cli.main(["reproduce", "bounds", *arguments])
+    assert "unrecognized arguments" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("kinds", ["", "proper,", "best", "proper classic"])

@@ -1,0 +1,31 @@
+"""The command `check`."""
+
+import argparse
+
+from exactmesh import check
+from exactmesh.certificate.part import check_part
+from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.options import Subparsers, count
+
+
+def add(commands: Subparsers) -> None:
+    """Add the command to a parser's."""
+    command = commands.add_parser("check", help="check a mesh by its certificate, as the stand-alone checkers do")
+    for name in ("PSLG", "MESH", "CERTIFICATE"):
+        command.add_argument(name.lower(), metavar=name, help=f"exactmesh-{name.lower()}/1")
+    command.add_argument("--random-part", metavar="K", type=count, help="look at K random faces, edges and vertices "
+                         "only: may find a fault, proves nothing")
+    command.add_argument("--seed", metavar="N", type=count, default=0, help="for --random-part (default: 0)")
+    for name in check.DEFAULT._fields:
+        command.add_argument(f"--max-{name}", metavar="N", type=count, default=getattr(check.DEFAULT, name),
+                             help=f"refuse a file with more {name} (default: %(default)s)")
+    command.set_defaults(run=_run)
+
+
+def _run(args: argparse.Namespace) -> int:
+    if args.random_part is not None:
+        valid, line = check_part(args.pslg, args.mesh, args.certificate, args.random_part, args.seed)
+        print(line)
+        return HOLDS if valid else FAILS
+    limits = [text for name in check.DEFAULT._fields for text in (f"--max-{name}", str(getattr(args, f"max_{name}")))]
+    return check.main([*limits, "--", args.pslg, args.mesh, args.certificate])

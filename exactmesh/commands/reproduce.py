@@ -1,0 +1,86 @@
+"""The command `reproduce`: a sub-command for each thing."""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+
+from exactmesh.claims.bounds import bounds
+from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.options import Subparsers, add_quiet, make_folder
+from exactmesh.dissection.lower_bound import rectangle_rows, rectangles_json, rectangles_text
+from exactmesh.io.atomic import write_text
+from exactmesh.progress import Progress
+from exactmesh.report_ledger import bounds_json, bounds_text
+from exactmesh.reproduce.growth import laws
+from exactmesh.reproduce.spread import spread_json, spread_rows, spread_text
+from exactmesh.reproduce.table1 import MADE, Made, table1_rows
+from exactmesh.reproduce.text import table1_csv, table1_json, table1_svg, table1_text
+
+
+def add(commands: Subparsers) -> None:
+    """Add the command to a parser's."""
+    command = commands.add_parser("reproduce", help="tables of the paper, recomputed")
+    things = command.add_subparsers(required=True, metavar="WHAT")
+    _add_thing(things, "bounds", "the paper's numbers beside their exact values", _bounds)
+    _add_thing(things, "dissection", "the square to the r x 1 rectangle, pieces beside the fewest there can be",
+               _dissection)
+    _add_thing(things, "spread", "how the degradation of both constructions grows with the length of a room", _spread)
+    table1 = _add_thing(things, "table1", "the paper's Table 1, exact degradations of all kinds of meshes on families "
+                        "of inputs", _table1)
+    table1.add_argument("-o", "--output", metavar="DIR", help="also write table1.txt, .csv and .svg there")
+    table1.add_argument("--short", action="store_true", help="inputs of up to some 500 vertices")
+    table1.add_argument("--kinds", metavar="KIND,..", type=_kinds, help=f"only these of {', '.join(MADE)}")
+
+
+def _add_thing(things: Subparsers, name: str, what: str, run: Callable[[argparse.Namespace], int]
+               ) -> argparse.ArgumentParser:
+    thing = things.add_parser(name, help=what)
+    thing.add_argument("--json", action="store_true", help="print one JSON object")
+    add_quiet(thing)
+    thing.set_defaults(run=run)
+    return thing
+
+
+def _bounds(args: argparse.Namespace) -> int:
+    rows = list(bounds())
+    print(bounds_json(rows) if args.json else bounds_text(rows))
+    return HOLDS
+
+
+def _dissection(args: argparse.Namespace) -> int:
+    with Progress(args.quiet) as progress:
+        made = list(rectangle_rows(progress=progress))
+    print(rectangles_json(made) if args.json else rectangles_text(made))
+    return HOLDS if all(row.valid for row in made) else FAILS
+
+
+def _spread(args: argparse.Namespace) -> int:
+    with Progress(args.quiet) as progress:
+        rooms = list(spread_rows(progress))
+    print(spread_json(rooms) if args.json else spread_text(rooms))
+    return HOLDS
+
+
+def _table1(args: argparse.Namespace) -> int:
+    if args.output:
+        make_folder(args.output)  # before the work: it may be refused
+    with Progress(args.quiet) as progress:
+        rows = list(table1_rows(args.kinds or MADE, args.short, progress))
+    found = laws(rows)
+    if args.output:
+        texts = {"txt": table1_text(rows, found) + "\n", "csv": table1_csv(rows), "svg": table1_svg(rows)}
+        for ending, text in texts.items():
+            write_text(os.path.join(args.output, f"table1.{ending}"), text)
+    print(table1_json(rows, found) if args.json else table1_text(rows, found))
+    failures = [failure for law in found for failure in law.failures]
+    if failures:
+        print("\n".join(failures), file=sys.stderr)
+    return FAILS if failures else HOLDS
+
+
+def _kinds(text: str) -> tuple[Made, ...]:
+    names = text.split(",")
+    if not set(names) <= set(MADE):
+        raise argparse.ArgumentTypeError(f"{text!r}: choose from {', '.join(MADE)}, separated by commas")
+    return tuple(kind for kind in MADE if kind in names)
