@@ -74,7 +74,7 @@ def test_a_shift_by_whole_steps_shifts_the_lines(pslg, spacing, n):
 @given(polygons, spacings)
 def test_upside_down_the_other_ties(pslg, spacing):
     _, p4 = snapped(pslg, spacing, "up")
-    _, turned = snapped(families._moved(pslg, lambda p: (-p.x, -p.y), "half a turn"), spacing, "down")
+    _, turned = snapped(families.moved_by(pslg, lambda p: (-p.x, -p.y), "half a turn"), spacing, "down")
     assert sorted(turned.level) == sorted(-j for j in p4.level)
 
 
