@@ -14,6 +14,7 @@ from collections.abc import Sequence
 import exactmesh
 from exactmesh.commands import MODULES
 from exactmesh.commands.exit_status import FAILS, INTERRUPTED, REFUSED
+from exactmesh.commands.limits import limits_of
 from exactmesh.errors import ConstructionFailed, InputError
 
 
@@ -22,7 +23,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     words = sys.argv[1:] if argv is None else argv
     args = _parser(words[0] if words else "").parse_args(words)
     try:
-        status: int = args.run(args)
+        with limits_of(args):
+            status: int = args.run(args)
         if sys.stdout is not None:  # None when the caller has closed it
             sys.stdout.flush()
         return status

@@ -3,12 +3,12 @@
 import hashlib
 import io
 from collections.abc import Callable
-from pathlib import Path
 
 from exactmesh import check
 from exactmesh.certificate.make import certificate_of
 from exactmesh.certificate.record import json_from_certificate
 from exactmesh.errors import ConstructionFailed, InputError
+from exactmesh.io.read import read_bytes
 from exactmesh.io.text import printable
 from exactmesh.measure.validity import Verification
 from exactmesh.planar.faces import Subdivision
@@ -25,10 +25,7 @@ def pslg_bytes(path: str, sha256: str) -> bytes:
     """
     if path == "-":
         raise InputError(f"a certificate needs an input that is a file; {_MEND}")
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise InputError(f"{printable(path)}: cannot be read: {error.strerror or error}") from error
+    data = read_bytes(path)
     if hashlib.sha256(data).hexdigest() != sha256:
         raise InputError(f"{printable(path)}: the input is not this file alone, or it has changed; {_MEND}")
     try:

@@ -16,12 +16,12 @@ import json
 import random
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from pathlib import Path
 from typing import Any
 
 from exactmesh.check import Limits, Point, Refused, Tokens, corners_of, has_room, minus, point_of, scalar
-from exactmesh.errors import InputError
-from exactmesh.io.text import printable
+from exactmesh.errors import FormatError
+from exactmesh.io.limits import JSON_SEPARATORS, check_text
+from exactmesh.io.read import read_bytes
 
 _CLAIM = "mfs_squared_at_least"
 
@@ -31,7 +31,7 @@ def check_part(pslg_path: str, mesh_path: str, certificate_path: str, chosen: in
 
     Raises `InputError` when a file cannot be read.
     """
-    pslg_data, mesh_data, certificate_data = map(_bytes, (pslg_path, mesh_path, certificate_path))
+    pslg_data, mesh_data, certificate_data = map(read_bytes, (pslg_path, mesh_path, certificate_path))
     try:
         pslg, mesh, certificate = map(_parsed, ((pslg_data, "PSLG"), (mesh_data, "MESH"),
                                                 (certificate_data, "CERTIFICATE")))
@@ -47,17 +47,14 @@ def check_part(pslg_path: str, mesh_path: str, certificate_path: str, chosen: in
                   "without --random-part all is checked")
 
 
-def _bytes(path: str) -> bytes:
-    try:
-        return Path(path).read_bytes()
-    except (OSError, ValueError) as error:
-        raise InputError(f"{printable(path)}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
-
-
 def _parsed(file: tuple[bytes, str]) -> Any:
     data, name = file
     try:
-        return json.loads(data)
+        text = data.decode("ascii")
+        check_text(text, JSON_SEPARATORS)
+        return json.loads(text)
+    except FormatError as error:
+        raise Refused("size", f"{name}: {error.reason}") from None
     except (ValueError, RecursionError):
         raise Refused("format", name) from None
 

@@ -5,6 +5,7 @@ import argparse
 from exactmesh import check
 from exactmesh.certificate.part import check_part
 from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, count
 
 
@@ -16,9 +17,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--random-part", metavar="K", type=count, help="look at K random faces, edges and vertices "
                          "only: may find a fault, proves nothing")
     command.add_argument("--seed", metavar="N", type=count, default=0, help="for --random-part (default: 0)")
-    for name in check.DEFAULT._fields:
-        command.add_argument(f"--max-{name}", metavar="N", type=count, default=getattr(check.DEFAULT, name),
-                             help=f"refuse a file with more {name} (default: %(default)s)")
+    add_limits(command, check.DEFAULT)
     command.set_defaults(run=_run)
 
 

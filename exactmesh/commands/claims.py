@@ -11,6 +11,7 @@ from exactmesh.claims.status import ledger
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.commands.construction import add_construction
 from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_quiet
 from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
@@ -29,6 +30,7 @@ def add(commands: Subparsers) -> None:
     add_construction(command, default=None)
     command.add_argument("--json", action="store_true", help="print one JSON object")
     add_quiet(command)
+    add_limits(command)
     command.set_defaults(run=_run)
 
 

@@ -4,6 +4,7 @@ import argparse
 import sys
 
 from exactmesh.commands.exit_status import HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_quiet, read_polygons
 from exactmesh.dissection.assembly import animation_from_dissection, cut_sheet_from_dissection
 from exactmesh.dissection.dissect import dissect
@@ -30,6 +31,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--kind", choices=KINDS,
                          help="the triangulation; without it those with the fewest strips, which carry the bound")
     add_quiet(command)
+    add_limits(command)
     command.set_defaults(run=_run)
 
 

@@ -10,6 +10,7 @@ from exactmesh.certificate.files import certificate_text, pslg_bytes
 from exactmesh.claims.run import ConstructionName, Run, construction_for
 from exactmesh.commands.construction import add_construction
 from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_box, add_quiet, read_source
 from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
@@ -39,6 +40,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--pslg", metavar="P", help="write the input, box included, as exactmesh-pslg/1: the checkers "
                          "read no other format")
     add_quiet(command)
+    add_limits(command)
     command.set_defaults(run=_run)
 
 

@@ -5,6 +5,7 @@ import argparse
 from exactmesh import report
 from exactmesh.api import ifs, mfs
 from exactmesh.commands.exit_status import HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_box, add_quiet, read_source
 from exactmesh.progress import Progress
 
@@ -17,6 +18,7 @@ def add(commands: Subparsers) -> None:
         add_box(command)
         command.add_argument("--json", action="store_true", help="print one JSON object")
         add_quiet(command)
+        add_limits(command)
         command.set_defaults(run=_run, name=name)
 
 

@@ -6,6 +6,7 @@ import sys
 from exactmesh import report
 from exactmesh.api import verify
 from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_box, add_quiet, read_source
 from exactmesh.errors import InputError
 from exactmesh.io.read import read_mesh
@@ -22,6 +23,7 @@ def add(commands: Subparsers) -> None:
     add_box(command)
     command.add_argument("--max-degradation", metavar="D", help="also demand that the degradation is at most D")
     add_quiet(command)
+    add_limits(command)
     command.set_defaults(run=_run)
 
 

@@ -3,6 +3,7 @@
 import argparse
 
 from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_quiet, read_polygons
 from exactmesh.dissection.dissection_json import read_dissection
 from exactmesh.dissection.report import verdict_json, verdict_text
@@ -18,6 +19,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("pieces", metavar="PIECES", help="exactmesh-dissection/1")
     command.add_argument("--json", action="store_true", help="print one JSON object")
     add_quiet(command)
+    add_limits(command)
     command.set_defaults(run=_run)
 
 

@@ -3,16 +3,15 @@
 Read here: keys, types, exact expressions. Not checked: whether this is a dissection, which is for the checker to say.
 """
 
-import sys
 from collections.abc import Iterable
-from pathlib import Path
 
 from exactmesh.dissection.expressions import ExpressionReader
 from exactmesh.dissection.records import Dissection, Motion, Piece, Polygon, Vector
-from exactmesh.errors import FormatError, InputError
+from exactmesh.errors import FormatError
 from exactmesh.io.json_fields import each, fields, rows
+from exactmesh.io.read import blaming, bytes_at
 from exactmesh.io.strict_json import Json, Number, described, parse_json
-from exactmesh.io.text import printable, text_from_bytes
+from exactmesh.io.text import text_from_bytes
 from exactmesh.numbers.algebraic import Real
 
 FORMAT = "exactmesh-dissection/1"
@@ -34,15 +33,8 @@ def dissection_from_json(text: str) -> Dissection:
 
 def read_dissection(path: str) -> Dissection:
     """Return the dissection in a file, `-` for standard input; raises `InputError`, which begins with the path."""
-    name = "standard input" if path == "-" else printable(path)
-    try:
-        data = sys.stdin.buffer.read() if path == "-" else Path(path).read_bytes()
-    except (OSError, ValueError) as error:
-        raise InputError(f"{name}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
-    try:
-        return dissection_from_json(text_from_bytes(data))
-    except FormatError as error:
-        raise FormatError(f"{name}: {error.place}" if error.place else name, error.reason) from error
+    with blaming(path):
+        return dissection_from_json(text_from_bytes(bytes_at(path)))
 
 
 class _Reader:

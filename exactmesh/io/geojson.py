@@ -5,6 +5,8 @@ the exact decimals that are written. A third coordinate, the altitude, is ignore
 above. So are `crs`, `bbox`, `id`, `properties` and foreign members, and features whose geometry is `null`.
 """
 
+from typing import NamedTuple
+
 from gmpy2 import mpq
 
 from exactmesh.errors import FormatError
@@ -32,35 +34,55 @@ def pslg_from_geojson(text: str) -> Pslg:
 def pslg_from_geojson_value(value: Json) -> Pslg:
     """Return the PSLG of a parsed file; raises as `pslg_from_geojson`."""
     assembly = Assembly()
-    # A list of what is left, last first, instead of recursion: collections nest as deep as the file likes.
-    pending = [(value, "")]
+    # A list of what is left, last first, instead of recursion. Places are links to the one around, spelled out when
+    # something is wrong: their lengths grow with the depth.
+    pending: list[tuple[Json, _Place | None]] = [(value, None)]
     while pending:
         item, place = pending.pop()
-        if not isinstance(item, dict):
-            raise FormatError(place, f"a GeoJSON object is expected, not {described(item)}")
-        pending.extend(reversed(_inner(item, place)))
-        if item["type"] in _GEOMETRIES:
-            at = _join(place, "coordinates")
-            _add(assembly, str(item["type"]), _member(item, "coordinates", place), at)
+        try:
+            inner = _taken(assembly, item)
+        except FormatError as error:
+            raise FormatError(_spelled(place, error.place), error.reason) from None
+        pending.extend((part, _Place(place, step)) for part, step in reversed(inner))
     return assembly.pslg()
 
 
-def _inner(item: dict[str, Json], place: str) -> list[tuple[Json, str]]:
-    """Return the objects inside a feature or a collection, each with its place."""
-    kind = _member(item, "type", place)
-    if kind not in _TYPES:
-        known = ", ".join(_TYPES)
-        raise FormatError(_join(place, "type"), f"one of {known} is expected, not {described(kind)}")
+class _Place(NamedTuple):
+    """Where an object stands: its step from the one around it."""
+
+    around: "_Place | None"
+    step: str
+
+
+def _spelled(place: _Place | None, within: str) -> str:
+    steps = [within] if within else []
+    while place is not None:
+        steps.append(place.step)
+        place = place.around
+    return ".".join(reversed(steps))
+
+
+def _taken(assembly: Assembly, item: Json) -> list[tuple[Json, str]]:
+    """Add a geometry; return the objects inside a feature or a collection, each with its step from here.
+
+    Raises `FormatError` with a place relative to the object.
+    """
+    if not isinstance(item, dict):
+        raise FormatError("", f"a GeoJSON object is expected, not {described(item)}")
+    kind = _member(item, "type")
+    if kind in _GEOMETRIES:
+        _add(assembly, str(kind), _member(item, "coordinates"), "coordinates")
+        return []
     if kind == "Feature":
-        geometry = _member(item, "geometry", place)
-        return [] if geometry is None else [(geometry, _join(place, "geometry"))]
-    if kind in ("FeatureCollection", "GeometryCollection"):
-        key = "features" if kind == "FeatureCollection" else "geometries"
-        inner = _member(item, key, place)
-        if not isinstance(inner, list):
-            raise FormatError(_join(place, key), f"a list is expected, not {described(inner)}")
-        return [(part, f"{_join(place, key)}[{index}]") for index, part in enumerate(inner)]
-    return []
+        geometry = _member(item, "geometry")
+        return [] if geometry is None else [(geometry, "geometry")]
+    if kind not in _TYPES:
+        raise FormatError("type", f"one of {', '.join(_TYPES)} is expected, not {described(kind)}")
+    key = "features" if kind == "FeatureCollection" else "geometries"
+    inner = _member(item, key)
+    if not isinstance(inner, list):
+        raise FormatError(key, f"a list is expected, not {described(inner)}")
+    return [(part, f"{key}[{index}]") for index, part in enumerate(inner)]
 
 
 def _add(assembly: Assembly, kind: str, coordinates: Json, place: str) -> None:
@@ -100,11 +122,7 @@ def _decimal(value: Json) -> mpq:
     return rational_from_text(value.text)
 
 
-def _member(item: dict[str, Json], key: str, place: str) -> Json:
+def _member(item: dict[str, Json], key: str) -> Json:
     if key not in item:
-        raise FormatError(place, f"the key {key!r} is missing")
+        raise FormatError("", f"the key {key!r} is missing")
     return item[key]
-
-
-def _join(place: str, key: str) -> str:
-    return f"{place}.{key}" if place else key

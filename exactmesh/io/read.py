@@ -15,6 +15,7 @@ from typing import Literal
 
 from exactmesh.errors import FormatError, InputError
 from exactmesh.io.geojson import pslg_from_geojson_value
+from exactmesh.io.limits import bytes_of
 from exactmesh.io.mesh_json import mesh_from_json
 from exactmesh.io.pslg_json import pslg_from_value
 from exactmesh.io.strict_json import Json, described, parse_json
@@ -60,14 +61,14 @@ def read_pslg(path: str) -> Source:
 
     Raises `InputError` when the file cannot be read, and `FormatError` when it is not of a known format.
     """
-    with _blaming(path), _collector_paused():
-        data = _bytes(path)
+    with blaming(path), _collector_paused():
+        data = bytes_at(path)
         digest = hashlib.sha256(data)
 
         def node_text() -> str:
             node = os.path.splitext(path)[0] + ".node"
             try:
-                node_data = _bytes(node)
+                node_data = bytes_at(node)
             except InputError as error:
                 raise InputError(f"the vertices are in {printable(node)}: {error}") from error
             digest.update(node_data)
@@ -82,8 +83,8 @@ def read_mesh(path: str) -> MeshSource:
 
     Raises `InputError` when the file cannot be read, and `FormatError` when it is not a mesh.
     """
-    with _blaming(path), _collector_paused():
-        data = _bytes(path)
+    with blaming(path), _collector_paused():
+        data = bytes_at(path)
         text = text_from_bytes(data)
         if _syntax(text, path) != "json":
             raise FormatError("", f"not a mesh: exactmesh-mesh/1 is expected, not {quoted(text.lstrip())}")
@@ -91,7 +92,7 @@ def read_mesh(path: str) -> MeshSource:
 
 
 @contextmanager
-def _blaming(path: str) -> Iterator[None]:
+def blaming(path: str) -> Iterator[None]:
     """Put the path before the message of every `InputError`."""
     name = "standard input" if path == "-" else printable(path)
     try:
@@ -118,16 +119,24 @@ def _collector_paused() -> Iterator[None]:
             gc.enable()
 
 
-def _bytes(path: str) -> bytes:
-    """Return the bytes of a file; raises `InputError` without the path."""
+def read_bytes(path: str) -> bytes:
+    """Return the bytes of a file, `-` for standard input; raises `InputError`, which begins with the path."""
+    with blaming(path):
+        return bytes_at(path)
+
+
+def bytes_at(path: str) -> bytes:
+    """Return the bytes of a file, `-` for standard input; raises `InputError` without the path."""
     try:
         if path == "-":
             # Python has no stream there when the shell closed it.
             if sys.stdin is None:
                 raise InputError("standard input is closed")
-            return sys.stdin.buffer.read()
+            return bytes_of(sys.stdin.buffer)
         with open(path, "rb") as file:
-            return file.read()
+            return bytes_of(file)
+    except InputError:
+        raise
     except FileNotFoundError:
         raise InputError("no such file") from None
     except IsADirectoryError:

@@ -9,6 +9,7 @@ import re
 from typing import NamedTuple, NoReturn, TypeAlias
 
 from exactmesh.errors import FormatError
+from exactmesh.io.limits import JSON_SEPARATORS, check_text
 from exactmesh.io.text import place_at, quoted, shortened
 
 
@@ -28,7 +29,7 @@ def parse_json(text: str) -> Json:
     """Return the value that `text` holds.
 
     Raises `FormatError`, naming line and column, for text that is not JSON, NaN and infinities included; and
-    for an object with two equal keys, and nesting beyond what the parser can follow.
+    for an object with two equal keys, nesting beyond what the parser can follow, and sizes beyond the limits.
     """
 
     def refuse_constant(name: str) -> NoReturn:
@@ -39,6 +40,7 @@ def parse_json(text: str) -> Json:
 
     if not text or text.isspace():
         raise FormatError("", "the file is empty")
+    check_text(text, JSON_SEPARATORS)
     try:
         value: Json = json.loads(text.removeprefix("\ufeff"), parse_int=Number, parse_float=Number,
                                  parse_constant=refuse_constant, object_pairs_hook=_object)

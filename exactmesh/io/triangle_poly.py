@@ -16,6 +16,7 @@ from gmpy2 import mpq, mpz, remove
 
 from exactmesh.errors import FormatError
 from exactmesh.geometry.point import Point
+from exactmesh.io.limits import TEXT_SEPARATORS, check_text
 from exactmesh.io.text import decimal_from_text, quoted, shortened
 from exactmesh.planar.pslg import Edge, Pslg
 
@@ -27,7 +28,7 @@ def pslg_from_poly(text: str, node_text: Callable[[], str] | None = None) -> Psl
     """Return the PSLG of a `.poly` file; `node_text` returns the `.node` file, if the vertices are there.
 
     Raises `FormatError` naming the line: for text that is not `.poly`, a vertex that does not exist, a
-    segment from a vertex to itself, and vertices elsewhere when `node_text` is None.
+    segment from a vertex to itself, vertices elsewhere when `node_text` is None, and sizes beyond the limits.
     """
     lines = _Lines(text)
     vertices, first = _vertices(lines)
@@ -68,6 +69,7 @@ class _Lines:
     """A cursor over the lines that say something."""
 
     def __init__(self, text: str) -> None:
+        check_text(text, TEXT_SEPARATORS)
         numbered = ((n, line.partition("#")[0].split()) for n, line in enumerate(text.split("\n"), 1))
         self._lines = [(n, tokens) for n, tokens in numbered if tokens]
         self._next = 0

@@ -14,6 +14,7 @@ from gmpy2 import mpq
 
 from exactmesh.errors import FormatError
 from exactmesh.geometry.point import Point
+from exactmesh.io.limits import TEXT_SEPARATORS, check_text
 from exactmesh.io.rings import Assembly, Run
 from exactmesh.io.text import decimal_from_text, place_at, quoted
 from exactmesh.planar.pslg import Pslg
@@ -28,8 +29,9 @@ def pslg_from_wkt(text: str) -> Pslg:
     """Return the PSLG of a file's text.
 
     Raises `FormatError` naming line and column: for text that is not WKT, a ring that is not closed or has
-    fewer than three distinct points, and a position repeated at once.
+    fewer than three distinct points, a position repeated at once, and sizes beyond the limits.
     """
+    check_text(text, TEXT_SEPARATORS)
     return _Parser(text).pslg()
 
 

@@ -61,7 +61,7 @@ def test_what_is_no_dissection_has_status_1(folder: Path, capsys: pytest.Capture
     (["dissect", "a.wkt", "b.wkt", "-o", "p", "--svg", "s", "--animation", "s"], "one place"),
     (["dissect", "a.wkt", "b.wkt", "-o", "p", "--cut-sheet", ""], "is empty"),
     (["dissect", "-", "-", "-o", "p.json"], "once only"),
-    (["verify-dissection", "a.wkt", "b.wkt", "none.json"], "none.json: cannot be read"),
+    (["verify-dissection", "a.wkt", "b.wkt", "none.json"], "none.json: no such file"),
     (["verify-dissection", "a.wkt", "b.wkt", "a.wkt"], "a.wkt: line 1"),
     (["verify-dissection", "a.wkt", "a.wkt"], "two polygons or more")])
 def test_refusals_are_one_line(folder: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], reason: str
