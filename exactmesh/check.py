@@ -677,7 +677,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             valid, line = check(pslg, mesh, certificate, Limits(args.max_bytes, args.max_digits, args.max_items))
         print(line, flush=True)
     except (OSError, ValueError, MemoryError) as error:
-        print(f"check: {error or 'out of memory'}", file=sys.stderr)
+        print(f"check: {str(error) or 'out of memory'}", file=sys.stderr)
         return REFUSED
     except KeyboardInterrupt:
         print("check: interrupted", file=sys.stderr)

@@ -49,8 +49,7 @@ def rational_from_text(text: str, place: str = "") -> mpq:
     mantissa = mpz((whole or "") + part)
     if sign == "-":
         mantissa = -mantissa
-    shift = exponent - len(part)
-    return mpq(mantissa * mpz(10) ** shift) if shift >= 0 else mpq(mantissa, mpz(10) ** -shift)
+    return mantissa * mpq(10) ** (exponent - len(part))
 
 
 def rational_from_float(value: float, place: str = "") -> mpq:
@@ -83,14 +82,11 @@ def sqrt_below(squared: mpq, bits: int) -> mpq:
     if squared <= 0 or bits <= 0:
         raise ValueError(f"squared and bits must be positive, not {squared} and {bits}")
     numerator, denominator = squared.numerator, squared.denominator
-    # squared * 4**shift has about 2 * bits bits, so its root has about `bits`.
+    # 2**(2 * bits - 1) < squared * 4**shift < 2**(2 * bits + 2), so the root has `bits` bits or one more.
     shift = bits - (numerator.bit_length() - denominator.bit_length()) // 2
     root = _floor_sqrt(squared, shift)
-    while root.bit_length() > bits:
+    if root.bit_length() > bits:
         shift -= 1
-        root = _floor_sqrt(squared, shift)
-    while root.bit_length() < bits:
-        shift += 1
         root = _floor_sqrt(squared, shift)
     return mpq(root) * mpq(2) ** -shift
 
@@ -128,7 +124,7 @@ def _placed(text: str, place: int) -> str:
             return "0." + "0" * (-place - 1) + text.rstrip("0")
         whole, part = text[: place + 1], text[place + 1 :].rstrip("0")
         return f"{whole}.{part}" if part else whole
-    if 0 <= place <= 20:
+    if len(text) <= place <= 20:
         return text + "0" * (place + 1 - len(text))
     head, tail = text[0], text[1:].rstrip("0")
     return f"{head}.{tail}e{place}" if tail else f"{head}e{place}"
