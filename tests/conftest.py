@@ -1,6 +1,12 @@
-"""Let the tests import the helper modules `families` and `oracle` that lie beside this file."""
+"""Let the tests import the helper modules that lie beside this file, and take the time they need."""
 
 import sys
 from pathlib import Path
 
+from hypothesis import HealthCheck, settings
+
 sys.path.insert(0, str(Path(__file__).parent))
+
+# How long an example takes says how busy the machine is.
+settings.register_profile("unhurried", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("unhurried")

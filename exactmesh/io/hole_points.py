@@ -6,8 +6,10 @@ PSLG, so a hole that islands or lines divide gets a point in each part, and one 
 gets none.
 """
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 from gmpy2 import mpq
 
@@ -39,8 +41,8 @@ def hole_points(pslg: Pslg, rings: Sequence[Ring]) -> tuple[Point, ...]:
     except GeometryError:
         return ()
     return tuple(point_inside(subdivision, face)
-                 for face, inside in zip(subdivision.faces, _rings_around(subdivision, rings), strict=True)
-                 if face.outer is not None and not _is_covered(inside, rings))
+                 for face, is_covered in zip(subdivision.faces, _are_covered(subdivision, rings), strict=True)
+                 if face.outer is not None and not is_covered)
 
 
 def point_inside(subdivision: Subdivision, face: Face) -> Point:
@@ -76,30 +78,61 @@ def _heights(subdivision: Subdivision, face: Face, x: mpq) -> Iterator[mpq]:
                 yield a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)
 
 
-def _rings_around(subdivision: Subdivision, rings: Sequence[Ring]) -> list[frozenset[int]]:
-    """Return, for each face, the rings it lies inside."""
-    crossed: dict[int, frozenset[int]] = {}
+def _are_covered(subdivision: Subdivision, rings: Sequence[Ring]) -> list[bool]:
+    """Return, for each face, whether a polygon covers it.
+
+    The faces are walked along a tree, to and fro: only the rings around the face at hand are known, as the rings
+    around all faces may be as many as the square of what there is.
+    """
+    crossed: dict[int, set[int]] = {}
     for index, ring in enumerate(rings):
         for edge in ring.edges:
             # Symmetric difference: a ring that runs along an edge twice is not crossed there.
-            crossed[edge] = crossed.get(edge, frozenset()) ^ {index}
+            crossed.setdefault(edge, set()).symmetric_difference_update({index})
     face_of = {h: f for f, face in enumerate(subdivision.faces) for walk in face.walks for h in walk}
-    around: dict[int, frozenset[int]] = {0: frozenset()}
-    pending = [0]
-    while pending:
-        face = pending.pop()
-        for walk in subdivision.faces[face].walks:
-            for h in walk:
-                beyond = face_of[h ^ 1]
-                if beyond not in around:
-                    around[beyond] = around[face] ^ crossed.get(h >> 1, frozenset())
-                    pending.append(beyond)
-    return [around[face] for face in range(len(subdivision.faces))]
+    around = _Around(rings)
+    covered: list[bool | None] = [False, *[None] * (len(subdivision.faces) - 1)]
+
+    def ways(face: int) -> Iterator[int]:
+        return chain.from_iterable(subdivision.faces[face].walks)
+
+    # Each face on the way from the unbounded one, with the ways out that are left and the edge one came in by.
+    path = [(ways(0), -1)]
+    while path:
+        left, entered = path[-1]
+        h = next((h for h in left if covered[face_of[h ^ 1]] is None), None)
+        if h is None:
+            path.pop()
+            around.cross(crossed.get(entered, ()))
+        else:
+            around.cross(crossed.get(h >> 1, ()))
+            covered[face_of[h ^ 1]] = around.covering > 0
+            path.append((ways(face_of[h ^ 1]), h >> 1))
+    return [bool(is_covered) for is_covered in covered]
 
 
-def _is_covered(inside: frozenset[int], rings: Sequence[Ring]) -> bool:
-    excluded = {rings[index].polygon for index in inside if not rings[index].is_exterior}
-    return any(rings[index].is_exterior and rings[index].polygon not in excluded for index in inside)
+class _Around:
+    """The rings around one face, and how many polygons cover it."""
+
+    def __init__(self, rings: Sequence[Ring]) -> None:
+        self.rings = rings
+        self.inside: set[int] = set()
+        self.exteriors: Counter[int] = Counter()
+        self.interiors: Counter[int] = Counter()
+        self.covering = 0
+
+    def cross(self, crossed: Collection[int]) -> None:
+        """Go over an edge of these rings."""
+        for index in crossed:
+            ring = self.rings[index]
+            self.covering -= self._covers(ring.polygon)
+            counts = self.exteriors if ring.is_exterior else self.interiors
+            counts[ring.polygon] += -1 if index in self.inside else 1
+            self.inside ^= {index}
+            self.covering += self._covers(ring.polygon)
+
+    def _covers(self, polygon: int) -> bool:
+        return self.exteriors[polygon] > 0 and self.interiors[polygon] == 0
 
 
 def _vertices_on(pslg: Pslg, ring: Ring) -> int:
