@@ -25,14 +25,17 @@ from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
 from gmpy2 import mpq
 
-from exactmesh.geometry.point import Point
+from exactmesh.geometry.fixed_point import FixedPoints, Ints
 from exactmesh.geometry.predicates import is_ahead, orientation
-from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared, face_witness
+from exactmesh.measure.face_feature import face_witness
 from exactmesh.measure.ifs import internal_feature_size, mesh_ifs
+from exactmesh.measure.mesh_faces import MeshFaces, Sides
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
-from exactmesh.planar.cycles import Side, directed_edges
+from exactmesh.planar.cycles import Side
+from exactmesh.planar.cycles import sides as cycle_sides
 from exactmesh.planar.faces import Subdivision
 from exactmesh.planar.mesh import KINDS, Mesh
 from exactmesh.planar.pslg import Pslg
@@ -96,14 +99,16 @@ def verify_mesh(subdivision: Subdivision, mesh: Mesh) -> Verification:
 
 
 class _Judge:
-    """Collects violations clause by clause, and the corners of the faces on the way."""
+    """Collects violations clause by clause; `faces` are there once all indices are known to be in range."""
 
     def __init__(self, subdivision: Subdivision, mesh: Mesh) -> None:
         self.subdivision = subdivision
         self.mesh = mesh
         self.violations: list[Violation] = []
-        self.corners: list[list[int]] = []
-        self.owner: dict[Side, int] = {}
+        self.columns = FixedPoints(mesh.vertices)
+        half_edges = subdivision.half_edges
+        self.origin = np.array(half_edges.origin, dtype=np.int64)
+        self.along = np.fromiter((h for face in subdivision.domain for walk in face.walks for h in walk), np.int64)
 
     def run(self) -> None:
         if self.mesh.kind not in KINDS:
@@ -111,6 +116,7 @@ class _Judge:
         self._check_indices()
         if self.violations:
             return
+        self.faces = MeshFaces(self.columns, self.mesh.faces)
         self._check_vertices()
         self._check_faces()
         self._check_edges()
@@ -120,68 +126,80 @@ class _Judge:
         self.violations.append(Violation(clause, place))
 
     def _check_indices(self) -> None:
-        count = len(self.mesh.vertices)
-        for number, cycle in enumerate(self.mesh.faces):
+        count, faces = len(self.mesh.vertices), self.mesh.faces
+        if all(face and min(face) >= 0 and max(face) < count for face in faces):
+            return
+        for number, cycle in enumerate(faces):
             for v in cycle:
                 if not 0 <= v < count:
                     self._violated("face-index", face=number, vertex=v)
 
     def _check_vertices(self) -> None:
         given, mesh = self.subdivision.pslg.vertices, self.mesh
-        for v, point in enumerate(given):
-            if v >= len(mesh.vertices) or mesh.vertices[v] != point:
-                self._violated("input-vertices", vertex=v, at=str(point))
+        if mesh.vertices[: len(given)] != given:
+            for v, point in enumerate(given):
+                if v >= len(mesh.vertices) or mesh.vertices[v] != point:
+                    self._violated("input-vertices", vertex=v, at=str(point))
         if mesh.kind == "classic" and len(mesh.vertices) > len(given):
             self._violated("steiner", vertex=len(given))
-        first: dict[Point, int] = {}
-        for v, point in enumerate(mesh.vertices):
-            if first.setdefault(point, v) != v:
-                self._violated("repeated-vertex", vertex=v, other=first[point], at=str(point))
+        for v, other in self.columns.coincident():
+            self._violated("repeated-vertex", vertex=v, other=other, at=str(mesh.vertices[v]))
 
     def _check_faces(self) -> None:
-        for number, cycle in enumerate(self.mesh.faces):
-            corners = corners_of(self.mesh.vertices, cycle)
-            if isinstance(corners, NotTriangle):
-                self._violated("face-shape", face=number, vertex=corners.vertex, reason=corners.reason)
-                corners = []
-            elif self.mesh.kind != "nonproper" and len(cycle) != 3:
-                self._violated("face-size", face=number, vertices=len(cycle))
-            self.corners.append(corners)
+        refused = dict(self.faces.not_triangles())
+        size = np.diff(self.faces.start)
+        wrong_size = np.flatnonzero(size != 3).tolist() if self.mesh.kind != "nonproper" else ()
+        for number in sorted({*refused, *wrong_size}):
+            if (reason := refused.get(number)) is not None:
+                self._violated("face-shape", face=number, vertex=reason.vertex, reason=reason.reason)
+            else:
+                self._violated("face-size", face=number, vertices=int(size[number]))
 
     def _check_edges(self) -> None:
-        self.owner, repeated = directed_edges(self.mesh.faces)
-        for side, face in repeated:
-            self._violated("overlap", edge=list(side), face=face, other=self.owner[side])
-        rim = self._rim()
-        for side in self.owner:
-            u, v = side
-            if (v, u) not in self.owner:
-                if side not in rim:
-                    self._violated("boundary", edge=[u, v], face=self.owner[side])
-            elif side in rim:
-                self._violated("boundary", edge=[v, u], face=self.owner[v, u])
+        faces, count = self.faces, len(self.mesh.vertices)
+        sides = faces.sides()
+        origin, target = faces.vertex, faces.vertex[faces.following]
+        for entry, owner in zip(sides.repeated.tolist(), sides.owner.tolist(), strict=True):
+            self._violated("overlap", edge=[int(origin[entry]), int(target[entry])], face=int(faces.face[entry]),
+                           other=int(faces.face[owner]))
+        rim = self._rim(sides)
+        first = sides.first
+        is_rim = np.isin(sides.key[first], rim)
+        twin = sides.find(target[first] * count + origin[first])
+        # An edge without a twin must be on the rim, one on the rim must have none.
+        wrong = is_rim == (twin >= 0)
+        for entry, other in zip(first[wrong].tolist(), twin[wrong].tolist(), strict=True):
+            shown = entry if other < 0 else other
+            self._violated("boundary", edge=[int(origin[shown]), int(target[shown])], face=int(faces.face[shown]))
 
-    def _rim(self) -> set[Side]:
-        """Return the mesh edges along the input with the domain on their left and not on their right.
+    def _rim(self, sides: Sides) -> Ints:
+        """Return the keys of the mesh edges along the input with the domain on their left and not on their right.
 
         The edges of faces that must lie along the input are looked for on the way.
         """
-        half_edges = self.subdivision.half_edges
+        count = len(self.mesh.vertices)
+        origin, target = self.origin[self.along], self.origin[self.along ^ 1]
+        # Input vertices may be missing in the mesh: their numbers make no key.
+        known = (origin < count) & (target < count)
+        key = origin * count + target
+        found = known & (sides.find(key) >= 0)
+        outside = np.ones(len(self.origin), np.bool_)
+        outside[self.along] = False
+        on_rim = outside[self.along ^ 1]
+        rim = [key[found & on_rim]]
         leaving: dict[int, list[int]] = defaultdict(list)
-        if self.mesh.kind == "internal":
-            for u, v in self.owner:
-                leaving[u].append(v)
-        along = [h for face in self.subdivision.domain for walk in face.walks for h in walk]
-        inside = set(along)
-        rim: set[Side] = set()
-        for h in along:
-            side = half_edges.origin[h], half_edges.target(h)
-            chain = [side] if side in self.owner else self._chain(side, leaving)
+        if self.mesh.kind == "internal" and not found.all():
+            faces = self.faces
+            for entry in sides.first.tolist():
+                leaving[int(faces.vertex[entry])].append(int(faces.vertex[faces.following[entry]]))
+        for place in np.flatnonzero(~found).tolist():
+            u, v = int(origin[place]), int(target[place])
+            chain = self._chain((u, v), leaving)
             if not chain:
-                self._violated("input-edge", edge=list(side))
-            if h ^ 1 not in inside:
-                rim.update(chain)
-        return rim
+                self._violated("input-edge", edge=[u, v])
+            elif on_rim[place]:
+                rim.append(np.array([a * count + b for a, b in chain], dtype=np.int64))
+        return np.concatenate(rim)
 
     def _chain(self, side: Side, leaving: Mapping[int, list[int]]) -> list[Side]:
         """Return the mesh edges that make up one side of an input edge; none when some part is missing."""
@@ -200,13 +218,15 @@ class _Judge:
         return chain
 
     def _check_use(self) -> None:
-        used = {v for cycle in self.mesh.faces for v in cycle}
-        half_edges = self.subdivision.half_edges
-        needed = {half_edges.origin[h] for face in self.subdivision.domain for walk in face.walks for h in walk}
-        needed |= {v for face in self.subdivision.domain for v in face.isolated}
-        for v in range(len(self.mesh.vertices)):
-            if v not in used and (v in needed or v >= len(self.subdivision.pslg.vertices)):
-                self._violated("unused-vertex", vertex=v)
+        count, given = len(self.mesh.vertices), len(self.subdivision.pslg.vertices)
+        missing = np.ones(count, np.bool_)
+        missing[self.faces.vertex] = False
+        needed = np.zeros(max(count, given), np.bool_)
+        needed[given:] = True
+        needed[self.origin[self.along]] = True
+        needed[[v for face in self.subdivision.domain for v in face.isolated]] = True
+        for v in np.flatnonzero(missing & needed[:count]).tolist():
+            self._violated("unused-vertex", vertex=v)
 
 
 def _mesh_mfs(subdivision: Subdivision, mesh: Mesh, input_mfs: Nearest | None, judge: _Judge) -> Nearest | None:
@@ -217,12 +237,11 @@ def _mesh_mfs(subdivision: Subdivision, mesh: Mesh, input_mfs: Nearest | None, j
     """
     if mesh.kind == "internal":
         pslg = subdivision.pslg
-        edges = {(min(side), max(side)) for side in judge.owner}
+        edges = {(min(side), max(side)) for cycle in mesh.faces for side in cycle_sides(cycle)}
         domain = {h >> 1 for face in subdivision.domain for walk in face.walks for h in walk}
         edges |= {edge for e, edge in enumerate(pslg.edges) if e not in domain}
         return minimum_feature_size(Pslg(mesh.vertices, tuple(sorted(edges))))
-    least, face = min(((face_feature_squared(mesh.vertices, cycle, corners), number) for number, (cycle, corners)
-                       in enumerate(zip(mesh.faces, judge.corners, strict=True))), default=(None, -1))
-    if least is None or (input_mfs is not None and input_mfs.squared <= least):
+    least = judge.faces.least_feature()
+    if least is None or (input_mfs is not None and input_mfs.squared <= least[0]):
         return input_mfs
-    return face_witness(mesh.vertices, mesh.faces[face])
+    return face_witness(mesh.vertices, mesh.faces[least[1]])

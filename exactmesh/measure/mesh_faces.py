@@ -1,0 +1,175 @@
+"""All faces of a mesh at once, in arrays: which are triangles, their sides, and the least feature size of a face.
+
+An entry is one vertex of one face's cycle; the side at an entry leads from its vertex to the next one of the cycle.
+What is decided here is what `exactmesh.measure.face_feature` decides for one face, which has the last word on every
+face that is no triangle and on every face that may have the least feature size.
+
+Lengths are enclosed, not rounded. With D the computed difference of two points (see `exactmesh.geometry.fixed_point`),
+a length is within 2**-50 |D| + 2 `error` of |D|. For the distance of p from the segment a b, with w = p - a and
+d = b - a: the place t of the nearest point, from 0 to 1, is computed within 8 * 2**-53 |w|/|d|, and |w - t d| grows by
+at most |d| for each unit of t; with the roundings of w - t d, the distance is within 2**-48 (|w| + |d|) + 8 `error`.
+A height is the doubled area, off by the bound given there, over the longest side.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+import numpy as np
+from gmpy2 import mpq
+from numpy.typing import NDArray
+
+from exactmesh.geometry.decisions import note
+from exactmesh.geometry.fixed_point import FixedPoints, Floats, Ints
+from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
+from exactmesh.planar.cycles import Cycle
+
+Bools = NDArray[np.bool_]
+_LENGTH = 2.0**-50
+_DISTANCE = 2.0**-48
+_AREA = 2.0**-49
+
+
+@dataclass(frozen=True, slots=True)
+class Sides:
+    """The directed edges of all faces: each distinct one by the entry where it is met first, in the order of entries.
+
+    `key` is from * count + to of the vertices, for all entries; `first` are the entries of distinct edges, `repeated`
+    those of faces that have an edge of an earlier face, with `owner` the entry where that one has it.
+    """
+
+    key: Ints
+    first: Ints
+    repeated: Ints
+    owner: Ints
+    _sorted_keys: Ints
+    _sorted_first: Ints
+
+    def find(self, keys: Ints) -> Ints:
+        """Return the entry where each of the keys is met first, -1 for a key that no edge has."""
+        if not self._sorted_keys.size:
+            return np.full(len(keys), -1)
+        place = np.minimum(np.searchsorted(self._sorted_keys, keys), len(self._sorted_keys) - 1)
+        return np.where(self._sorted_keys[place] == keys, self._sorted_first[place], -1)
+
+
+class MeshFaces:
+    """The faces of a mesh: `vertex[entry]`, `face[entry]`, and `start[face]`, its first entry, one more at the end."""
+
+    __slots__ = ("before", "columns", "cycles", "face", "following", "start", "turn",
+                 "vertex")
+
+    def __init__(self, columns: FixedPoints, cycles: Sequence[Cycle]) -> None:
+        """Arrange `cycles`, whose indices are those of points of `columns`."""
+        self.columns = columns
+        self.cycles = cycles
+        size = np.fromiter(map(len, cycles), np.int64, len(cycles))
+        self.start = np.concatenate(([0], np.cumsum(size)))
+        self.vertex = np.fromiter(chain.from_iterable(cycles), np.int64, int(self.start[-1]))
+        self.face = np.repeat(np.arange(len(cycles)), size)
+        entries = np.arange(len(self.vertex))
+        real = np.flatnonzero(size)
+        self.following, self.before = entries + 1, entries - 1
+        self.following[self.start[real + 1] - 1] = self.start[real]
+        self.before[self.start[real]] = self.start[real + 1] - 1
+        v = self.vertex
+        self.turn = columns.orientations(v[self.before], v, v[self.following])
+
+    def not_triangles(self) -> list[tuple[int, NotTriangle]]:
+        """Return the faces that are not counter-clockwise triangles, and why."""
+        v, turn = self.vertex, self.turn
+        straight = np.flatnonzero(turn == 0)
+        ahead = self.columns.are_ahead(v[self.before[straight]], v[straight], v[self.following[straight]])
+        # A corner counts for one, a place where the walk must not go for so many that no face makes up for it.
+        count = np.bincount(self.face, turn > 0, len(self.cycles))
+        wrong = np.concatenate((self.face[turn < 0], self.face[straight[~ahead]]))
+        refused = np.unique(np.concatenate((wrong, np.flatnonzero(count != 3))))
+        found = []
+        for face in refused.tolist():
+            reason = corners_of(self.columns.points, self.cycles[face])
+            if not isinstance(reason, NotTriangle):
+                raise AssertionError(f"floats refuse face {face}, which is a triangle")
+            found.append((face, reason))
+        return found
+
+    def sides(self) -> Sides:
+        """Return the directed edges of all faces."""
+        key = self.vertex * len(self.columns.points) + self.vertex[self.following]
+        order = np.argsort(key, kind="stable")
+        in_order = key[order]
+        is_first = np.ones(len(order), np.bool_)
+        is_first[1:] = in_order[1:] != in_order[:-1]
+        met_first = order[is_first]
+        owner = met_first[np.cumsum(is_first) - 1]
+        again = self.face[owner] != self.face[order]
+        entry = order[again]
+        sort = np.argsort(entry)
+        return Sides(key, np.sort(met_first), entry[sort], owner[again][sort], in_order[is_first], met_first)
+
+    def least_feature(self) -> tuple[mpq, int] | None:
+        """Return the least squared feature size of a face and the first face that has it; None without faces.
+
+        All faces are triangles (`not_triangles` is empty).
+        """
+        if not self.cycles:
+            return None
+        low, high = self._heights()
+        if len(self.vertex) > 3 * len(self.cycles):
+            self._lower_by_t_vertices(low, high)
+        near = np.flatnonzero(low <= high.min())
+        note("least face feature", len(low), len(near))
+        return min((face_feature_squared(self.columns.points, self.cycles[face], self._places(face)), face)
+                   for face in near.tolist())
+
+    def _corners(self) -> Ints:
+        """Return the entries of the three corners of each face."""
+        return np.flatnonzero(self.turn > 0).reshape(-1, 3)
+
+    def _places(self, face: int) -> list[int]:
+        start, end = self.start[face : face + 2].tolist()
+        return np.flatnonzero(self.turn[start:end] > 0).tolist()
+
+    def _heights(self) -> tuple[Floats, Floats]:
+        """Return bounds of the least height of each face."""
+        columns, e = self.columns, self.columns.error
+        a, b, c = self.vertex[self._corners()].T
+        (abx, aby), (acx, acy), (bcx, bcy) = (columns.differences(a, b), columns.differences(a, c),
+                                              columns.differences(b, c))
+        area = np.abs(abx * acy - aby * acx)
+        off = _AREA * (np.abs(abx * acy) + np.abs(aby * acx)) + 4 * e * (
+            np.abs(abx) + np.abs(aby) + np.abs(acx) + np.abs(acy)) + 8 * e * e
+        longest = np.maximum(np.maximum(np.hypot(abx, aby), np.hypot(acx, acy)), np.hypot(bcx, bcy))
+        low = np.maximum(area - off, 0.0) / (longest * (1 + _LENGTH) + 2 * e)
+        shortest = longest * (1 - _LENGTH) - 2 * e
+        high = np.divide(area + off, shortest, out=np.full(len(area), np.inf), where=shortest > 0)
+        return low * (1 - _LENGTH), high * (1 + _LENGTH)
+
+    def _lower_by_t_vertices(self, low: Floats, high: Floats) -> None:
+        """Lower the bounds of faces with T-vertices: to their sides, and to the distances of T-vertices from the two
+        sides of the triangle that they are not on."""
+        columns, e = self.columns, self.columns.error
+        v = self.vertex
+        more = np.flatnonzero((np.diff(self.start) > 3)[self.face])
+        length = np.hypot(*columns.differences(v[more], v[self.following[more]]))
+        off = _LENGTH * length + 2 * e
+        np.minimum.at(low, self.face[more], length - off)
+        np.minimum.at(high, self.face[more], length + off)
+        t = np.flatnonzero(self.turn == 0)
+        # The corners passed before an entry say which side it is on: 0 and 3 are the side from the last to the first.
+        passed = np.cumsum(self.turn > 0)[t] - 3 * self.face[t]
+        corners = self._corners()[self.face[t]]
+        rows = np.arange(len(t))
+        p, q, r = (v[corners[rows, (passed + k) % 3]] for k in (2, 0, 1))
+        for a, b in ((q, r), (r, p)):
+            near, far = self._distances(v[t], a, b)
+            np.minimum.at(low, self.face[t], near)
+            np.minimum.at(high, self.face[t], far)
+
+    def _distances(self, p: Ints, a: Ints, b: Ints) -> tuple[Floats, Floats]:
+        """Return bounds of the distance of the points p from the segments a b."""
+        (wx, wy), (dx, dy) = self.columns.differences(a, p), self.columns.differences(a, b)
+        squared = dx * dx + dy * dy
+        t = np.clip(np.divide(wx * dx + wy * dy, squared, out=np.zeros(len(p)), where=squared > 0), 0.0, 1.0)
+        distance = np.hypot(wx - t * dx, wy - t * dy)
+        off = _DISTANCE * (np.abs(wx) + np.abs(wy) + np.abs(dx) + np.abs(dy)) + 8 * self.columns.error
+        return distance - off, distance + off
