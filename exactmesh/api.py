@@ -1,7 +1,8 @@
 """What the command line does, as functions: read a PSLG, measure it, mesh it, verify a mesh."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from exactmesh.claims.claim import Judgement
 from exactmesh.claims.ledger import judge
@@ -10,11 +11,19 @@ from exactmesh.io.read import read_pslg
 from exactmesh.measure.ifs import internal_feature_size
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
+from exactmesh.numbers.rational import sqrt_text
+from exactmesh.pictures import plot as pictures
 from exactmesh.planar.faces import domain_of, subdivide
 from exactmesh.planar.mesh import Kind, Mesh
-from exactmesh.planar.pslg import Pslg
+from exactmesh.planar.pslg import Pslg, polygon
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 Progress = Callable[[str], None]
+pictures.attach(Pslg, Mesh)
+
+__all__ = ["Mesh", "Meshing", "Pslg", "ifs", "mesh", "meshing_of", "mfs", "plot", "polygon", "read", "verify"]
 
 
 def _silent(step: str) -> None:
@@ -25,17 +34,30 @@ def _silent(step: str) -> None:
 class Meshing:
     """A mesh with the verdicts on all claims of its construction, and its verification.
 
-    Lengths in the verdicts are in units of the input's mfs.
+    Lengths in the verdicts are in units of the input's mfs. `run` has every step of the construction.
     """
 
     mesh: Mesh
     judgements: tuple[Judgement, ...]
     verification: Verification
+    run: Run = field(repr=False, compare=False)
 
     @property
     def holds(self) -> bool:
         """Whether every claim holds."""
         return all(judgement.verdict.holds for judgement in self.judgements)
+
+    def plot(self, ax: "Axes | None" = None, step: str = "mesh") -> "Axes":
+        """Draw a step of the construction on matplotlib axes, as `plot` does."""
+        return pictures.plot(self.run, ax, step)
+
+    def _repr_html_(self) -> str:
+        squared = self.verification.degradation_squared
+        degradation = "not valid" if squared is None else f"degradation {sqrt_text(squared, 6)}"
+        fails = sum(not judgement.verdict.holds for judgement in self.judgements)
+        size = f"{self.mesh.kind} mesh of {len(self.mesh.faces)} faces"
+        return pictures.notebook_html(
+            self.run, f"{size}, {degradation}; {len(self.judgements)} claims, {fails or 'none'} failed")
 
 
 def read(path: str) -> Pslg:
@@ -83,7 +105,7 @@ def mesh(pslg: Pslg, construction: ConstructionName | None = None, kind: Kind = 
 
 def meshing_of(run: Run) -> Meshing:
     """Return the mesh of a run with the verdicts on all claims that concern it; raises what `mesh` raises."""
-    return Meshing(run.mesh, tuple(judge(run)), run.verification)
+    return Meshing(run.mesh, tuple(judge(run)), run.verification, run)
 
 
 def verify(pslg: Pslg, mesh: Mesh) -> Verification:
@@ -92,3 +114,12 @@ def verify(pslg: Pslg, mesh: Mesh) -> Verification:
     Uses no construction. Raises `InputError` when `pslg` is none or encloses nothing.
     """
     return verify_mesh(domain_of(pslg), mesh)
+
+
+def plot(thing: Pslg | Mesh | Meshing, ax: "Axes | None" = None, step: str | None = None) -> "Axes":
+    """Draw an input, a mesh or a step of a construction on matplotlib axes, new ones unless given; return the axes.
+
+    `step` is one of `exactmesh plot --step`, of a `Meshing` only. Raises `InputError` without matplotlib (the extra
+    "plot"), and for a step that the construction does not have.
+    """
+    return pictures.plot(thing.run if isinstance(thing, Meshing) else thing, ax, step)

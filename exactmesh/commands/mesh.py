@@ -16,8 +16,8 @@ from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.io.mesh_json import json_from_mesh
 from exactmesh.io.pslg_json import json_from_pslg
-from exactmesh.io.svg import svg_from_mesh
 from exactmesh.paper import paper_options
+from exactmesh.pictures.draw import svg_from_mesh
 from exactmesh.planar.mesh import KINDS
 from exactmesh.progress import Progress
 

@@ -1,4 +1,4 @@
-"""Write a text file so that it appears whole or not at all."""
+"""Write a file so that it appears whole or not at all."""
 
 import contextlib
 import os
@@ -21,18 +21,33 @@ def write_text(path: str, text: str) -> None:
 
     Raises `InputError`, which begins with the path, when the system refuses.
     """
+    _write(path, text)
+
+
+def write_bytes(path: str, data: bytes) -> None:
+    """Write `data` as `write_text` does a text."""
+    _write(path, data)
+
+
+def _write(path: str, content: str | bytes) -> None:
     name = "standard output" if path == "-" else printable(path)
     try:
         if path == "-":
             # Python has no stream there when the shell closed it.
             if sys.stdout is None:
                 raise InputError(f"{name}: is closed")
-            sys.stdout.write(text)
+            if isinstance(content, str):
+                sys.stdout.write(content)
+            else:
+                sys.stdout.flush()
+                sys.stdout.buffer.write(content)
             sys.stdout.flush()
-        elif os.path.exists(path) and not os.path.isfile(path):
-            Path(path).write_text(text, encoding="utf-8", newline="\n")
+            return
+        data = content.encode() if isinstance(content, str) else content
+        if os.path.exists(path) and not os.path.isfile(path):
+            Path(path).write_bytes(data)
         else:
-            _replace(os.path.realpath(path), text)
+            _replace(os.path.realpath(path), data)
     except OSError as error:
         raise InputError(f"{name}: cannot be written: {error.strerror or error}") from error
     except ValueError as error:
@@ -40,15 +55,15 @@ def write_text(path: str, text: str) -> None:
         raise InputError(f"{name}: cannot be written: {error}") from error
 
 
-def _replace(path: str, text: str) -> None:
+def _replace(path: str, data: bytes) -> None:
     # The name does not grow with the file's own, which may be as long as the system allows.
     temporary = os.path.join(os.path.dirname(path), f".exactmesh-{secrets.token_hex(8)}.tmp")
     try:
         # Mode "x" never opens a file of someone else, and permissions follow the umask, unlike `mkstemp`.
-        with open(temporary, "x", encoding="utf-8", newline="\n") as file:
+        with open(temporary, "xb") as file:
             if os.path.exists(path):
                 shutil.copymode(path, temporary)
-            file.write(text)
+            file.write(data)
             file.flush()
             os.fsync(file.fileno())
         os.replace(temporary, path)

@@ -1,0 +1,243 @@
+"""Layers of a panel, from exact records: edges, faces by feature size, vertices by maker, distances, words.
+
+Shapes of one look become one layer, so that a picture of many faces stays small. Lines and dots shrink with `grain`,
+the height in pixels that half of the visible faces have at least.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from math import sqrt
+
+from gmpy2 import mpq
+
+from exactmesh.geometry.distance import distance_squared
+from exactmesh.geometry.point import Point, dot, minus
+from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
+from exactmesh.measure.mfs import Nearest
+from exactmesh.numbers.rational import sqrt_text
+from exactmesh.pictures.palette import (
+    FEATURE_FILLS,
+    FEATURE_FLOORS,
+    FEATURE_NAMES,
+    INK,
+    MAKERS,
+    NO_TRIANGLE,
+    PAPER,
+    RED,
+    Maker,
+)
+from exactmesh.pictures.scene import LETTER, Area, Dots, Key, Label, Layer, Lines, Look, Panel, Place
+from exactmesh.pictures.view import View
+from exactmesh.planar.cycles import Cycle
+
+EDGE = "#5d7390"
+_DIGITS = 6
+_MAKER_NAMES: dict[Maker, str] = {
+    "given": "vertices of the input", "offset": "placed by the offset", "chord": "ends of chords",
+    "interior": "placed in the Interior", "tube": "placed in the Tube", "steiner": "Steiner vertices"}
+# Where a label may stand beside its place: along, down, anchor; the first that is free is taken.
+_SPOTS: tuple[tuple[float, float, str], ...] = (
+    (9, -8, "start"), (-9, -8, "end"), (9, 18, "start"), (-9, 18, "end"), (0, -16, "middle"), (0, 26, "middle"),
+    (14, 5, "start"), (-14, 5, "end"), (24, -26, "start"), (-24, -26, "end"), (24, 36, "start"), (-24, 36, "end"))
+_SHORT = 9.0
+_CIRCLE = 7.0
+
+
+class Canvas:
+    """The layers of one panel, as they come; the ones added later lie on top. `points`, `faces`: for the grain."""
+
+    def __init__(self, view: View, points: Sequence[Point] = (), faces: Iterable[Cycle] = ()) -> None:
+        self.view = view
+        self.grain = _grain(view, points, faces)
+        self.layers: list[Layer] = []
+        self.keys: list[Key] = []
+        self._taken: list[tuple[float, float, float, float]] = []
+
+    @property
+    def thin(self) -> float:
+        """The width of a mesh edge."""
+        return max(0.02, min(0.9, 0.07 * self.grain))
+
+    @property
+    def radius(self) -> float:
+        """The radius of a vertex."""
+        return max(0.3, min(3.2, 0.16 * self.grain))
+
+    def panel(self, step: str, title: str) -> Panel:
+        """Return what has been drawn."""
+        return self.view.panel(step, title, self.layers, dict.fromkeys(self.keys))
+
+    def edges(self, name: str, ends: Iterable[tuple[Point, Point]], stroke: str, width: float,
+              dash: tuple[float, ...] = (), key: str = "") -> None:
+        """Draw segments."""
+        chains = self.view.segments(ends)
+        if chains:
+            self.layers.append(Lines(name, chains, stroke, width, dash))
+            self._key("dashes" if dash else "line", stroke, key)
+
+    def chain(self, name: str, points: Sequence[Point], stroke: str, width: float, dash: tuple[float, ...] = (),
+              key: str = "") -> None:
+        """Draw an open polygon in one piece, not cut off: it must not reach far out of the panel."""
+        self.layers.append(Lines(name, (tuple(self.view.places(points)),), stroke, width, dash))
+        self._key("dashes" if dash else "line", stroke, key)
+
+    def areas(self, name: str, polygons: Iterable[Sequence[Point]], fill: str, stroke: str = "none",
+              width: float = 0.0, key: str = "") -> None:
+        """Draw convex polygons."""
+        drawn = tuple(places for polygon in polygons if (places := self.view.polygon(polygon)))
+        if drawn:
+            self.layers.append(Area(name, drawn, fill, stroke, width))
+            self._key("area", fill, key)
+
+    def features(self, points: Sequence[Point], faces: Iterable[Cycle], size_squared: mpq) -> None:
+        """Draw faces, each in the colour of its exact feature size over the square root of `size_squared`.
+
+        A face that is no triangle has a colour of its own; one that names a vertex that is not there is left out.
+        """
+        floors = [size_squared / floor**2 for floor in FEATURE_FLOORS]
+        places = self.view.places(points)
+        groups: dict[int, list[list[Point]]] = {}
+        for cycle in faces:
+            if not all(0 <= v < len(points) for v in cycle) or self.view.misses([places[v] for v in cycle]):
+                continue
+            corners = corners_of(points, cycle)
+            if isinstance(corners, NotTriangle):
+                groups.setdefault(-1, []).append([points[v] for v in cycle])
+                continue
+            squared = face_feature_squared(points, cycle, corners)
+            rank = sum(squared < floor for floor in floors)
+            groups.setdefault(rank, []).append([points[cycle[i]] for i in corners])
+        for rank in sorted(groups):
+            if rank < 0:
+                self.areas("no-triangle", groups[rank], NO_TRIANGLE, EDGE, self.thin, "no triangle")
+            else:
+                self.areas(f"feature-{rank}", groups[rank], FEATURE_FILLS[rank], EDGE, self.thin)
+        if any(rank >= 0 for rank in groups):
+            self.keys.append(Key("none", INK, "features of faces, over the input's mfs:"))
+            self.keys += [Key("area", *entry) for entry in zip(FEATURE_FILLS, FEATURE_NAMES, strict=True)]
+
+    def vertices(self, points: Sequence[Point], makers: Mapping[Maker, Iterable[int]], t_vertices: Iterable[int] = ()
+                 ) -> None:
+        """Draw vertices in the colours of who placed them; those on sides of faces are ringed."""
+        ringed = self._inside(points[v] for v in t_vertices)
+        if ringed:
+            self.layers += [Dots("t-vertex", ringed, INK, 2.1 * self.radius),
+                            Dots("t-vertex-rim", ringed, PAPER, 1.6 * self.radius)]
+        for maker, numbers in makers.items():
+            places = self._inside(points[v] for v in numbers)
+            if places:
+                self.layers.append(Dots(maker, places, MAKERS[maker], self.radius))
+                self._key("dot", MAKERS[maker], _MAKER_NAMES[maker])
+        if ringed:
+            self._key("ring", INK, "T-vertices: on a side of a face")
+
+    def dots(self, name: str, points: Iterable[Point], fill: str, radius: float, key: str = "") -> None:
+        """Draw points."""
+        places = self._inside(points)
+        if places:
+            self.layers.append(Dots(name, places, fill, radius))
+            self._key("dot", fill, key)
+
+    def nearest(self, points: Sequence[Point], nearest: Nearest, name: str = "witness", word: str = "") -> None:
+        """Draw the segment that a feature size is the length of, with its length."""
+        p = points[nearest.vertex]
+        a, b = (points[v] for v in nearest.feature)
+        self.distance(p, foot(p, a, b), nearest.squared, name, word)
+
+    def distance(self, p: Point, q: Point, squared: mpq, name: str = "witness", word: str = "", text: str = "",
+                 dash: tuple[float, ...] = ()) -> None:
+        """Draw a segment and its length; a short one is circled as well."""
+        chain = self.view.segment(p, q)
+        if not chain:
+            return
+        self.layers.append(Lines(name, (chain,), RED, 2.6, dash))
+        (px, py), (qx, qy) = chain
+        middle = ((px + qx) / 2, (py + qy) / 2)
+        self._taken.append((min(px, qx) - 2, min(py, qy) - 2, max(px, qx) + 2, max(py, qy) + 2))
+        if (px - qx) ** 2 + (py - qy) ** 2 < _SHORT**2:
+            self.layers.append(Lines(f"{name}-circle", (_circle(middle, _CIRCLE),), RED, 1.6))
+        shown = text or f"{word + ' ' if word else ''}{sqrt_text(squared, _DIGITS)}"
+        self.note(middle if middle[0] > 0 else (px, py), shown, RED, f"{name}-label")
+
+    def note(self, place: Place, text: str, fill: str = INK, name: str = "note", size: float = 13.0) -> None:
+        """Write beside a place, where there is room."""
+        width, view = LETTER * size * len(text), self.view
+        best: tuple[float, Label, tuple[float, float, float, float]] | None = None
+        for rank, (along, down, anchor) in enumerate(_SPOTS):
+            x, y = place[0] + along, place[1] + down
+            left = x - {"start": 0.0, "middle": width / 2, "end": width}[anchor]
+            # Pushed back into the panel, where it would stick out.
+            moved = min(max(left, 3.0), max(3.0, view.width - width - 3.0))
+            y = min(max(y, size), view.height - 5.0)
+            box = (moved, y - size, moved + width, y + 3)
+            hidden = sum(_overlap(box, other) for other in self._taken)
+            cost = 10 * hidden + abs(moved - left) * 8 + rank
+            if best is None or cost < best[0]:
+                best = cost, Label(name, (moved, y), text, fill, "start", size), box
+        if best is not None:
+            self.layers.append(best[1])
+            self._taken.append(best[2])
+
+    def word(self, place: Place, text: str, fill: str = INK, size: float = 13.0, name: str = "note") -> None:
+        """Write centred on a place, without looking for room."""
+        width = LETTER * size * len(text)
+        self.layers.append(Label(name, (place[0], place[1] + size / 3), text, fill, "middle", size))
+        self._taken.append((place[0] - width / 2, place[1] - size, place[0] + width / 2, place[1] + size))
+
+    def _inside(self, points: Iterable[Point]) -> tuple[Place, ...]:
+        places = self.view.places(points)
+        return tuple(filter(self.view.holds, places)) if self.view.is_part else tuple(places)
+
+    def _key(self, look: Look, colour: str, text: str) -> None:
+        if text:
+            self.keys.append(Key(look, colour, text))
+
+
+def foot(p: Point, a: Point, b: Point) -> Point:
+    """Return the point of the closed segment a b that is nearest to p."""
+    along = minus(b, a)
+    length_squared = distance_squared(a, b)
+    if length_squared == 0:
+        return a
+    t = min(max(dot(minus(p, a), along) / length_squared, mpq(0)), mpq(1))
+    return Point(a.x + t * along.x, a.y + t * along.y)
+
+
+def t_vertices(points: Sequence[Point], faces: Iterable[Cycle]) -> list[int]:
+    """Return the vertices that lie on sides of faces that are triangles."""
+    found: set[int] = set()
+    for cycle in faces:
+        if len(cycle) > 3 and all(0 <= v < len(points) for v in cycle):
+            corners = corners_of(points, cycle)
+            if not isinstance(corners, NotTriangle):
+                found.update(v for i, v in enumerate(cycle) if i not in corners)
+    return sorted(found)
+
+
+def _grain(view: View, points: Sequence[Point], faces: Iterable[Cycle]) -> float:
+    """Return the median height in pixels of the faces that can be seen; that of the panel when there are none."""
+    places = view.places(points)
+    heights = []
+    for cycle in faces:
+        corners = [places[v] for v in cycle if 0 <= v < len(places)]
+        if len(corners) > 2 and not view.misses(corners):
+            ends = list(zip(corners, [*corners[1:], corners[0]], strict=True))
+            area = abs(sum(px * qy - py * qx for (px, py), (qx, qy) in ends))
+            longest = sqrt(max((px - qx) ** 2 + (py - qy) ** 2 for (px, py), (qx, qy) in ends))
+            heights.append(area / longest if longest else 0.0)
+    return sorted(heights)[len(heights) // 2] if heights else min(view.width, view.height)
+
+
+# A circle as a polygon that looks round at any size a picture has.
+_ROUND = ((1.0, 0.0), (0.924, 0.383), (0.707, 0.707), (0.383, 0.924), (0.0, 1.0), (-0.383, 0.924), (-0.707, 0.707),
+          (-0.924, 0.383), (-1.0, 0.0), (-0.924, -0.383), (-0.707, -0.707), (-0.383, -0.924), (0.0, -1.0),
+          (0.383, -0.924), (0.707, -0.707), (0.924, -0.383), (1.0, 0.0))
+
+
+def _circle(centre: Place, radius: float) -> tuple[Place, ...]:
+    return tuple((centre[0] + radius * x, centre[1] + radius * y) for x, y in _ROUND)
+
+
+def _overlap(a: tuple[float, float, float, float], b: tuple[float, float, float, float]) -> float:
+    across = min(a[2], b[2]) - max(a[0], b[0])
+    down = min(a[3], b[3]) - max(a[1], b[1])
+    return across * down / 10 if across > 0 and down > 0 else 0.0
