@@ -5,7 +5,8 @@ Each MODULE (all of `TARGETS` by default) is mutated in a copy of the tree, in a
 The score is killed / all; a time-out counts as killed, a mutant that no test reaches as survived. Exit status 0 when
 each module reaches `LEAST` percent.
 
---again retests the survivors of an earlier run in the same folder, after tests were added and the module left alone.
+--again goes on with a run that was interrupted, and retests its survivors: after tests were added and the module left
+alone.
 Needs the extra `mutation`.
 """
 
@@ -27,7 +28,7 @@ COPIED = ("exactmesh", "tests", "proofs_checks", "docs")
 ALGEBRAIC = ("tests/numbers/test_algebraic.py", "tests/numbers/test_root.py", "tests/numbers/test_number_details.py")
 GEOMETRY = ("tests/geometry",)
 TARGETS: Mapping[str, Sequence[str]] = {
-    "exactmesh/check.py": ("tests/certificate/test_check.py",),
+    "exactmesh/check.py": ("tests/certificate/test_check.py", "tests/certificate/test_check_details.py"),
     "exactmesh/numbers/rational.py": ("tests/numbers/test_rational.py", "tests/numbers/test_number_details.py"),
     **{f"exactmesh/numbers/{name}.py": ALGEBRAIC for name in (
         "algebraic", "interval", "nested", "radicals", "root", "surd_sum")},
@@ -47,8 +48,8 @@ LEFT_OUT = (
     "tests/numbers/test_separation.py::test_the_bound_does_not_use_the_exact_types",
     "tests/proofs/test_certificates.py::test_the_checker_is_small_and_needs_no_solver",
 )
-# conftest.py of the copy. mutmut runs pytest many times in one process, so nothing may be left in a cache from before the
-# mutation, and Hypothesis must not take offence at being called again. Quick tests go first.
+# conftest.py of the copy. mutmut runs pytest many times in one process, so nothing may be left in a cache from before
+# the mutation, and Hypothesis must not take offence at being called again. Quick tests go first.
 CONFTEST = """
 import json
 import sys
@@ -97,13 +98,22 @@ class Outcome:
 
 def settings(module: str, tests: Sequence[str]) -> str:
     """Return the pyproject.toml of the copy."""
-    left_out = [f"--deselect={name}" for name in LEFT_OUT]
-    return "\n".join([
-        "[tool.pytest.ini_options]", 'testpaths = ["tests"]', 'addopts = "--strict-markers"',
-        "[tool.mutmut]", 'source_paths = ["exactmesh"]', f'only_mutate = ["{module}"]',
-        f"also_copy = {json.dumps(['conftest.py', *COPIED[2:]])}", f"pytest_add_cli_args_test_selection = {json.dumps(list(tests))}",
-        f"pytest_add_cli_args = {json.dumps(['-p', 'no:cacheprovider', *left_out])}", "timeout_multiplier = 4.0", "timeout_constant = 2.0",
-        "use_git_change_detection = false", ""])
+    of_pytest = ["-p", "no:cacheprovider", *(f"--deselect={name}" for name in LEFT_OUT)]
+    return f"""
+[tool.pytest.ini_options]
+testpaths = ["tests"]
+addopts = "--strict-markers"
+
+[tool.mutmut]
+source_paths = ["exactmesh"]
+only_mutate = ["{module}"]
+also_copy = {json.dumps(["conftest.py", *COPIED[2:]])}
+pytest_add_cli_args = {json.dumps(of_pytest)}
+pytest_add_cli_args_test_selection = {json.dumps(list(tests))}
+timeout_multiplier = 4.0
+timeout_constant = 2.0
+use_git_change_detection = false
+"""
 
 
 def without_caches(source: str) -> str:
@@ -135,7 +145,8 @@ def prepare(folder: Path, module: str) -> None:
 
 def mutmut(folder: Path, *args: str) -> str:
     """Run mutmut in the copy; raises `CalledProcessError` when it fails."""
-    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONHASHSEED": "0", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONHASHSEED": "0",
+                   "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
     done = subprocess.run([sys.executable, "-c", "from mutmut.__main__ import cli; cli()", *args], cwd=folder,
                           env=environment, text=True, capture_output=True)
     if done.returncode:
@@ -147,8 +158,8 @@ def mutmut(folder: Path, *args: str) -> str:
 def outcome(folder: Path, module: str) -> Outcome:
     """Read what mutmut has written."""
     found = json.loads((folder / "mutants" / f"{module}.meta").read_text(encoding="utf-8"))["exit_code_by_key"]
-    if not found or None in found.values():
-        raise SystemExit(f"{module}: the run is not complete")
+    if not found:
+        raise SystemExit(f"{module}: nothing to mutate")
     killed = [name for name, code in found.items() if code in KILLED]
     timed_out = [name for name, code in found.items() if code in TIMED_OUT]
     return Outcome(len(killed), len(timed_out), tuple(name for name in found if name not in {*killed, *timed_out}))
@@ -167,7 +178,7 @@ def test_module(module: str, folder: Path, again: bool, children: int) -> Outcom
         for name in ("tests", "mutants/tests"):
             shutil.rmtree(folder / name, ignore_errors=True)
             shutil.copytree(ROOT / "tests", folder / name, ignore=shutil.ignore_patterns("__pycache__"))
-        (folder / "mutants" / "mutmut-stats.json").unlink()
+        (folder / "mutants" / "mutmut-stats.json").unlink(missing_ok=True)
         (folder / "pyproject.toml").write_text(settings(module, TARGETS[module]), encoding="utf-8")
         if old:
             mutmut(folder, "run", "--max-children", str(children), *old)

@@ -28,7 +28,7 @@ class TestRational:
             assert caught.value.reason == str(caught.value) == reason
 
     def test_a_double_without_a_place_is_refused_by_its_value(self) -> None:
-        with pytest.raises(FormatError, match="^inf is not a finite number$"):
+        with pytest.raises(FormatError, match=r"^inf is not a finite number$"):
             rational_from_float(float("inf"))
 
     def test_an_exponent_of_zeros(self) -> None:
