@@ -95,6 +95,16 @@ def vertex_index(value: Json, count: int) -> int:
     raise FormatError("", f"a vertex index is expected, not {described(value)}")
 
 
+def edge(value: Json, count: int) -> tuple[int, int]:
+    """Return the two ends, different and below `count`, of an edge."""
+    if not isinstance(value, list) or len(value) != 2:
+        raise FormatError("", f"an edge is a list of two vertex indices, not {described(value)}")
+    u, v = each(value, "", lambda index: vertex_index(index, count))
+    if u == v:
+        raise FormatError("", f"both ends are vertex {u}: an edge needs two")
+    return u, v
+
+
 def rows(items: Iterable[str]) -> str:
     """Return a JSON list of texts that are JSON already, one a line so that files can be compared."""
     body = ",\n  ".join(items)

@@ -5,6 +5,7 @@ triangulation, or have as many vertices as the kind says, which is for the verif
 """
 
 from exactmesh.errors import FormatError
+from exactmesh.io.as_written import mesh_as_written
 from exactmesh.io.json_fields import each, fields, point, point_rows, rows, vertex_index
 from exactmesh.io.strict_json import Json, described, parse_json
 from exactmesh.planar.mesh import KINDS, Kind, Mesh
@@ -14,7 +15,8 @@ FORMAT = "exactmesh-mesh/1"
 
 def mesh_from_json(text: str) -> Mesh:
     """Return the mesh of a file's text; raises `FormatError` naming the place, such as `faces[5][2]`."""
-    return mesh_from_value(parse_json(text))
+    quick = mesh_as_written(text)
+    return mesh_from_value(parse_json(text)) if quick is None else quick
 
 
 def mesh_from_value(value: Json) -> Mesh:

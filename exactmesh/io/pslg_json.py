@@ -7,16 +7,18 @@ Read here: keys, types, scalars and index ranges. Not checked: that the graph is
 import json
 
 from exactmesh.errors import FormatError
-from exactmesh.io.json_fields import each, fields, point, point_rows, rows, vertex_index
+from exactmesh.io.as_written import pslg_as_written
+from exactmesh.io.json_fields import each, edge, fields, point, point_rows, rows
 from exactmesh.io.strict_json import Json, described, parse_json
-from exactmesh.planar.pslg import Edge, Pslg
+from exactmesh.planar.pslg import Pslg
 
 FORMAT = "exactmesh-pslg/1"
 
 
 def pslg_from_json(text: str) -> Pslg:
     """Return the PSLG of a file's text; raises `FormatError` naming the place, such as `vertices[3][1]`."""
-    return pslg_from_value(parse_json(text))
+    quick = pslg_as_written(text)
+    return pslg_from_value(parse_json(text)) if quick is None else quick
 
 
 def pslg_from_value(value: Json) -> Pslg:
@@ -24,7 +26,7 @@ def pslg_from_value(value: Json) -> Pslg:
     found = fields(value, FORMAT, ("vertices", "edges"), ("holes", "name"))
     vertices = each(found["vertices"], "vertices", point)
     count = len(vertices)
-    edges = each(found["edges"], "edges", lambda pair: _edge(pair, count))
+    edges = each(found["edges"], "edges", lambda pair: edge(pair, count))
     holes = each(found.get("holes", []), "holes", point)
     name = found.get("name", "")
     if not isinstance(name, str):
@@ -44,12 +46,3 @@ def json_from_pslg(pslg: Pslg) -> str:
         # Escaped to ASCII, because a JSON string may hold a lone surrogate, and UTF-8 may not.
         parts.append(f'"name": {json.dumps(pslg.name)}')
     return "{" + ",\n ".join(parts) + "}\n"
-
-
-def _edge(value: Json, count: int) -> Edge:
-    if not isinstance(value, list) or len(value) != 2:
-        raise FormatError("", f"an edge is a list of two vertex indices, not {described(value)}")
-    u, v = each(value, "", lambda index: vertex_index(index, count))
-    if u == v:
-        raise FormatError("", f"both ends are vertex {u}: an edge needs two")
-    return u, v

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from exactmesh.errors import FormatError, InputError
+from exactmesh.io.as_written import pslg_as_written
 from exactmesh.io.geojson import pslg_from_geojson_value
 from exactmesh.io.limits import bytes_of
 from exactmesh.io.mesh_json import mesh_from_json
@@ -171,7 +172,8 @@ def _syntax(text: str, path: str) -> Syntax:
 def _pslg(text: str, path: str, node_text: Callable[[], str] | None) -> Pslg:
     match _syntax(text, path):
         case "json":
-            return _pslg_from_json(parse_json(text))
+            quick = pslg_as_written(text)
+            return _pslg_from_json(parse_json(text)) if quick is None else quick
         case "wkt":
             return pslg_from_wkt(text)
         case "poly":
