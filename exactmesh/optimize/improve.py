@@ -1,0 +1,149 @@
+"""Improve a mesh where it is worst, until its mfs cannot be raised by the moves at hand; then thin it out.
+
+The mfs of a mesh is the least over its faces, so the worst face is changed for the better again and again. When no
+move changes it, the faces around it are improved: it may then have room. What a move is worth is decided in
+`Faces.replace`; here is only the order in which moves are tried, and when to give up.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import sqrt
+from typing import Literal
+
+from gmpy2 import mpq
+
+from exactmesh.optimize.faces import Faces
+from exactmesh.optimize.moves import Moves
+
+Reason = Literal["target", "no move helps", "effort", "time", "interrupted"]
+# Floats should promise this much more than what is to be reached, relatively: their errors are far smaller.
+_MARGIN = 1e-9
+# Gains below this, relatively, are not worth a step.
+_GAIN = 2e-3
+# Rings of faces around the worst one that are improved when it cannot be, and how often.
+_RINGS = (2, 4, 6)
+_PASSES = 4
+_THINNINGS = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Effort:
+    """When to give up: after so many `tries`, or when in the last `patience` tries the mfs rose by less than 1%, or
+    when `is_late()`."""
+
+    tries: float
+    patience: float
+    is_late: Callable[[], bool] = lambda: False
+
+
+class Improver:
+    """Raises the least squared feature size of `faces` towards `goal`."""
+
+    def __init__(self, faces: Faces, goal: mpq, effort: Effort, progress: Callable[[str], None] = lambda step: None
+                 ) -> None:
+        self.faces = faces
+        self.goal = goal
+        self.tries = 0
+        self._effort = effort
+        self._progress = progress
+        self._cap = sqrt(float(goal)) * (1 + _MARGIN)
+        # Faces that no move improved since something changed around them.
+        self._stuck: set[int] = set()
+        self._mark: tuple[int, float] = 0, 0.0
+
+    def run(self) -> Reason:
+        """Improve the worst face until the goal is reached, or no move helps, or the effort is spent."""
+        faces = self.faces
+        while True:
+            worst = faces.worst()
+            if faces.feature[worst] >= self.goal:
+                return "target"
+            if reason := self._spent():
+                return reason
+            if not self._improve(worst) and not any(self._relax(worst, rings) for rings in _RINGS):
+                return self._spent() or "no move helps"
+
+    def _spent(self) -> Reason | None:
+        if self._effort.is_late():
+            return "time"
+        height = sqrt(float(self.faces.feature[self.faces.worst()]))
+        at, before = self._mark
+        if height > 1.01 * before:
+            self._mark = self.tries, height
+            return None
+        return "effort" if self.tries - at > self._effort.patience or self.tries > self._effort.tries else None
+
+    def _improve(self, face: int) -> bool:
+        """Change a face for the better, by the best proposal that is accepted; return whether there is one."""
+        if face in self._stuck:
+            return False
+        faces = self.faces
+        self.tries += 1
+        if not self.tries % 64:
+            self._progress(f"optimisation: {self.tries} places tried, {faces.steps} steps")
+        low = (1 + _GAIN) * sqrt(float(faces.feature[face]))
+        moves = Moves(faces, faces.cycle[face][0], min(low, (1 - _MARGIN) * self._cap), self._cap)
+        refused = []
+        for proposal in moves.for_face(face):
+            if proposal.value < self._cap:
+                refused.append(proposal)
+            elif made := faces.replace(proposal.old, proposal.new, proposal.centre):
+                return self._changed(made)
+        for proposal in sorted(refused, key=lambda proposal: -proposal.value):
+            if made := faces.replace(proposal.old, proposal.new, proposal.centre):
+                return self._changed(made)
+        self._stuck.add(face)
+        return False
+
+    def _changed(self, made: list[int]) -> bool:
+        faces = self.faces
+        for v in {v for face in made for v in faces.cycle[face]}:
+            self._stuck -= faces.around[v]
+        return True
+
+    def _relax(self, worst: int, rings: int) -> bool:
+        """Improve the faces around the worst one until it is another; return whether it is."""
+        faces = self.faces
+        least = faces.feature[worst]
+        vertices = set(faces.cycle[worst])
+        for _ in range(rings):
+            vertices = {v for u in vertices for face in faces.around[u] for v in faces.cycle[face]}
+        for _ in range(_PASSES):
+            some = False
+            near = {face for v in vertices for face in faces.around[v]}
+            for _, face in sorted((faces.feature[face], face) for face in near):
+                if self._spent():
+                    return faces.feature[faces.worst()] > least
+                if face in faces.feature and faces.feature[face] < self.goal and self._improve(face):
+                    some = True
+                    if worst not in faces.feature or (worst not in self._stuck and self._improve(worst)):
+                        return True
+            if not some:
+                return False
+        return False
+
+
+def thin_out(faces: Faces, mfs_squared: mpq, is_late: Callable[[], bool] = lambda: False) -> None:
+    """Remove Steiner vertices, and put one in the place of two, while all faces keep the squared feature size."""
+    cap = sqrt(float(mfs_squared)) * (1 + _MARGIN)
+    for _ in range(_THINNINGS):
+        before = faces.steps
+        for v in sorted(v for v, around in faces.around.items() if around and v >= faces.given):
+            if is_late():
+                return
+            if faces.around[v]:
+                _without(faces, v, mfs_squared, cap)
+        if faces.steps == before:
+            return
+
+
+def _without(faces: Faces, v: int, mfs_squared: mpq, cap: float) -> bool:
+    """Remove a Steiner vertex, or merge it with one beside it; return whether that was possible."""
+    moves = Moves(faces, v, (1 - _MARGIN) * cap, cap)
+    star = faces.around[v]
+    beside = sorted({u for face in star for u in faces.cycle[face] if u >= faces.given and u != v})
+    regions = [star, moves.widened(star)]
+    proposals = [moves.retriangulated(region) for region in regions]
+    proposals += [moves.starred(star | faces.around[u]) for u in beside]
+    return any(proposal and faces.replace(proposal.old, proposal.new, proposal.centre, mfs_squared)
+               for proposal in proposals)
