@@ -4,5 +4,5 @@ MODULES = {
     "mfs": "size", "ifs": "size", "mesh": "mesh", "verify": "verify", "check": "check", "claims": "claims",
     "reproduce": "reproduce", "dissect": "dissect", "verify-dissection": "verify_dissection", "prove": "prove",
     "search": "search", "hits": "hits", "verify-run": "verify_run", "examples": "examples",
-    "plot": "plot",
+    "view": "view", "plot": "plot",
 }
