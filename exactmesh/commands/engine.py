@@ -36,7 +36,7 @@ def run_search(args: argparse.Namespace, store: Store, spec: Spec, tasks: Iterat
         with Progress(args.quiet) as progress:
             limited: Iterator[Task] = tasks if args.tasks is None else islice(tasks, args.tasks)
             run_tasks(store, run, spec, limited, engine, deadline, progress, stop)
-            if spec.strategy != "inputs" and spec.shrinks:
+            if spec.shrinks:
                 progress("shrinking and checking the worst")
                 keep_records(store, run)
     except KeyboardInterrupt:

@@ -19,7 +19,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--claim", metavar="ID", help="only finds of this claim or objective")
     command.add_argument("--construction", choices=("repaired", "paper", "classic"))
     command.add_argument("--label", choices=("violation", "record", "crash"))
-    command.add_argument("--max-corners", type=int, metavar="N")
+    command.add_argument("--max-points", type=int, metavar="N")
     command.add_argument("--confirmed", action="store_true", help="only what the independent check agrees with")
     command.add_argument("--json", action="store_true", help="print one JSON object a line")
     command.add_argument("--html", metavar="OUT", help="write a page with pictures")
@@ -46,5 +46,5 @@ def _wanted(find: Any, args: argparse.Namespace) -> bool:
     filters: tuple[Callable[[], bool], ...] = (
         lambda: args.claim in (None, find["claim"]), lambda: args.construction in (None, find["construction"]),
         lambda: args.label in (None, find["label"]), lambda: bool(find["confirmed"]) or not args.confirmed,
-        lambda: args.max_corners is None or len(json.loads(find["corners"])) <= args.max_corners)
+        lambda: args.max_points is None or len(show.figure_of(find).points) <= args.max_points)
     return all(check() for check in filters)

@@ -9,6 +9,7 @@ from exactmesh.commands.options import Subparsers, positive
 from exactmesh.planar.mesh import KINDS
 from exactmesh.search import show
 from exactmesh.search.driver import totals, worst_text
+from exactmesh.search.families import FAMILIES
 from exactmesh.search.guided import require_hypothesis
 from exactmesh.search.spec import STRATEGIES, Spec, search_tasks
 from exactmesh.search.store import Store
@@ -18,18 +19,17 @@ from exactmesh.search.verify_run import parsed_family
 
 def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
-    command = commands.add_parser("search", help="search for a polygon on which a claim fails or comes closest")
+    command = commands.add_parser("search", help="search for an input on which a claim fails or comes closest")
     command.add_argument("claim", metavar="CLAIM", help=f"a claim, or an objective: {', '.join(OBJECTIVES)}")
     command.add_argument("--construction", choices=("repaired", "paper", "classic"))
     command.add_argument("--kind", choices=KINDS)
     command.add_argument("--strategy", choices=[name for name in STRATEGIES if name != "inputs"], default="climb",
-                         help="exhaustive: all lattice polygons; random: a family; climb, anneal: local search from "
-                         "random starts; guided: hypothesis' target (default: climb)")
+                         help="exhaustive: all lattice polygons; random: figures of a family; climb, anneal: local search "
+                         "from random starts; guided: hypothesis' target (default: climb)")
     command.add_argument("--family", metavar="NAME[:KEY=N,..]", default="stretched",
-                         help="lattice:n=4,m=3, triangle, tour, star, orthogonal, stretched, near-degenerate, flat, or "
-                         "path.py:function (default: stretched)")
+                         help=f"lattice:n=4,m=3, {', '.join(FAMILIES)}, or path.py:function (default: stretched)")
     command.add_argument("--seed", type=int, default=0)
-    command.add_argument("--size", type=positive, default=0, help="polygons, steps or examples of a task")
+    command.add_argument("--size", type=positive, default=0, help="figures, steps or examples of a task")
     command.add_argument("--shard", metavar="RES/MOD", type=_shard, default=(0, 1), help="only these tasks")
     command.add_argument("--stop-at-first", action="store_true", help="stop when the claim fails")
     command.add_argument("--export", metavar="DIR", help="write the finds of the store there as files and pictures")
@@ -53,12 +53,12 @@ def _run(args: argparse.Namespace) -> int:
     fails = any(find["label"] == "violation" and find["confirmed"] for find in finds)
     if args.json:
         print(json.dumps({"claim": target.claim.id, "construction": target.construction, "kind": target.kind,
-                          "polygons": evaluated, "violations": found.violations if found else 0,
+                          "inputs": evaluated, "violations": found.violations if found else 0,
                           "instances": found.instances if found else 0,
                           "worst": json.loads(found.worst["shown"]).get("worst") if found and found.worst else None,
                           "finds": [show.find_record(find) for find in finds]}, indent=1))
     elif not args.quiet:
-        print(f"{target.claim.id} ({target.construction}, {target.kind}): {evaluated} polygons in this run, "
+        print(f"{target.claim.id} ({target.construction}, {target.kind}): {evaluated} inputs in this run, "
               f"{found.violations if found else 0} violations, worst {worst_text(found.worst if found else None)}")
         if finds:
             print(show.finds_text(finds))

@@ -22,12 +22,15 @@ def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
     command = commands.add_parser("verify-run", help="judge many claims on many inputs, with a store and a report")
     command.add_argument("inputs", metavar="INPUT", nargs="+",
-                         help="a file, a folder, a .jsonl file of one polygon a line, or family:NAME[:KEY=N,..]")
+                         help="a file, a folder, a .jsonl file of one input a line, or family:NAME[:KEY=N,..]")
     command.add_argument("--claims", metavar="ID,..", default="all", help="claims and objectives (default: all)")
     command.add_argument("--construction", choices=("repaired", "paper", "both"), default="repaired")
     command.add_argument("--kind", choices=KINDS)
-    command.add_argument("--count", type=positive, default=1000, help="polygons of each random family (default: 1000)")
+    command.add_argument("--count", type=positive, default=1000,
+                         help="figures of each random family, in whole hundreds beyond a hundred (default: 1000)")
     command.add_argument("--seed", type=int, default=0)
+    command.add_argument("--shrink", action="store_true",
+                         help="shrink inputs that violate a claim, check them again and keep them as finds")
     command.add_argument("--report", metavar="OUT", help="write the report as JSON")
     command.add_argument("--html", metavar="OUT", help="write the report as a page")
     command.add_argument("--json", action="store_true", help="print the report as JSON")
@@ -42,10 +45,10 @@ def _run(args: argparse.Namespace) -> int:
     refused: list[str] = []
     runs: list[tuple[Spec, Iterator[Task]]] = []
     if files:
-        spec = Spec(targets, "inputs", json.dumps(sorted(files)), shrinks=False).checked()
+        spec = Spec(targets, "inputs", json.dumps(sorted(files)), shrinks=args.shrink).checked()
         runs.append((spec, input_tasks(files, refused)))
     for family in families:
-        spec = family_spec(family, targets, args.seed, 50)
+        spec = family_spec(family, targets, args.seed, args.count, args.shrink)
         tasks = search_tasks(spec)
         runs.append((spec, tasks if spec.strategy == "exhaustive" else islice(tasks, -(-args.count // spec.size))))
     rows: dict[tuple[str, str, str], Any] = {}

@@ -1,4 +1,4 @@
-"""What one task saw: counts, the worst value of each target with its polygon, and polygons worth keeping."""
+"""What one task saw: counts, the worst value of each target with its figure, and figures worth keeping."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from exactmesh.claims.run import Run
 from exactmesh.numbers.root import exact_text
 from exactmesh.planar.pslg import Pslg
-from exactmesh.search.corners import Corners, pslg_of
+from exactmesh.search.figure import Figure
 from exactmesh.search.shrink import shrink
 from exactmesh.search.targets import Evaluation, Target
 
@@ -28,11 +28,11 @@ class Tallied:
     crashes: int = 0
     worst: Evaluation | None = None
     worst_input: Pslg | None = None
-    worst_corners: Corners | None = None
-    found: list[Corners] = field(default_factory=list)
-    crashed: list[tuple[Corners, str]] = field(default_factory=list)
+    worst_figure: Figure | None = None
+    found: list[Figure] = field(default_factory=list)
+    crashed: list[Figure] = field(default_factory=list)
 
-    def see(self, evaluation: Evaluation, pslg: Pslg, corners: Corners | None) -> None:
+    def see(self, evaluation: Evaluation, pslg: Pslg, figure: Figure | None) -> None:
         """Count one evaluation."""
         if evaluation.outcome == "skipped":
             self.skipped += 1
@@ -41,15 +41,15 @@ class Tallied:
         self.instances += evaluation.instances
         if evaluation.outcome == "crash":
             self.crashes += 1
-            if corners is not None and not self.crashed:
-                self.crashed.append((corners, evaluation.shown))
+            if figure is not None and not self.crashed:
+                self.crashed.append(figure)
             return
         if self.worst is None or evaluation.is_worse_than(self.worst):
-            self.worst, self.worst_input, self.worst_corners = evaluation, pslg, corners
+            self.worst, self.worst_input, self.worst_figure = evaluation, pslg, figure
         if evaluation.outcome == "violated":
             self.violations += 1
-            if corners is not None and len(self.found) < _KEPT - 1:
-                self.found.append(corners)
+            if figure is not None and len(self.found) < _KEPT - 1:
+                self.found.append(figure)
 
 
 class Collector:
@@ -59,12 +59,13 @@ class Collector:
         self.evaluated = 0
         self.tallies = [Tallied(target) for target in targets]
 
-    def see(self, corners: Corners) -> Evaluation:
-        """Judge a polygon; return the evaluation of the first target."""
-        return self.see_input(pslg_of(corners), corners)
+    def see(self, figure: Figure) -> Evaluation:
+        """Judge a figure; return the evaluation of the first target."""
+        return self.see_input(figure.pslg(), figure)
 
-    def see_input(self, pslg: Pslg, corners: Corners | None = None) -> Evaluation:
-        """Judge any input; targets of one construction and kind share its run."""
+    def see_input(self, pslg: Pslg, figure: Figure | None) -> Evaluation:
+        """Judge any input, which is kept when it is worth it as `figure`, if given; targets of one construction and
+        kind share its run."""
         self.evaluated += 1
         runs: dict[tuple[str, str], Run] = {}
         first = None
@@ -72,22 +73,22 @@ class Collector:
             target = tally.target
             run = runs.setdefault((target.construction, target.kind), Run(pslg, target.construction, target.kind))
             evaluation = target.judge(run)
-            tally.see(evaluation, pslg, corners)
+            tally.see(evaluation, pslg, figure)
             first = first or evaluation
         return first or _SKIPPED
 
-    def result(self, key: str, shrinks: bool) -> Json:
-        """Return the report of the task: the same for the same task, wherever it ran."""
+    def result(self, key: str, shrinks: bool, shows_figures: bool = True) -> Json:
+        """Return the report of the task: the same for the same task, wherever it ran. Inputs that have a name of their
+        own need not be shown as figures."""
         return {"task": key, "evaluated": self.evaluated,
-                "targets": [_tally_json(tally) for tally in self.tallies],
+                "targets": [_tally_json(tally, shows_figures) for tally in self.tallies],
                 "finds": [find for tally in self.tallies for find in _finds(tally, shrinks)]}
 
 
-def find_json(target: Target, corners: Corners, label: str) -> Json:
-    """Return a polygon with its evaluation as it is stored."""
-    evaluation = target.evaluate(pslg_of(corners))
-    return {"target": list(target.key), "label": label, "corners": [list(corner) for corner in corners],
-            **evaluation_json(evaluation)}
+def find_json(target: Target, figure: Figure, label: str) -> Json:
+    """Return a figure with its evaluation as it is stored."""
+    evaluation = target.evaluate(figure.pslg())
+    return {"target": list(target.key), "label": label, "figure": figure.to_json(), **evaluation_json(evaluation)}
 
 
 def evaluation_json(evaluation: Evaluation | None) -> Json:
@@ -96,25 +97,31 @@ def evaluation_json(evaluation: Evaluation | None) -> Json:
         return {"outcome": "", "exact": "", "low": "", "direction": 0, "shown": "{}"}
     return {"outcome": evaluation.outcome, "exact": "" if evaluation.value is None else exact_text(evaluation.value),
             "low": "" if evaluation.low is None else str(evaluation.low), "direction": evaluation.direction,
-            "shown": evaluation.shown or "{}"}
+            "shown": evaluation.shown}
 
 
-def _tally_json(tally: Tallied) -> Json:
-    pslg = tally.worst_input
+def _tally_json(tally: Tallied, shows_figure: bool) -> Json:
+    pslg, figure = tally.worst_input, tally.worst_figure if shows_figure else None
     return {"target": list(tally.target.key), "judged": tally.judged, "skipped": tally.skipped,
             "instances": tally.instances, "violations": tally.violations, "crashes": tally.crashes,
             **evaluation_json(tally.worst), "input": "" if pslg is None else pslg.name,
-            "corners": None if tally.worst_corners is None else [list(corner) for corner in tally.worst_corners]}
+            "figure": None if figure is None else figure.to_json()}
 
 
 def _finds(tally: Tallied, shrinks: bool) -> list[Json]:
     """Return violations, shrunk, and crashes, each once."""
     target = tally.target
-    polygons = list(tally.found)
-    if tally.worst is not None and tally.worst.outcome == "violated" and tally.worst_corners is not None:
-        polygons.append(tally.worst_corners)
+    figures = list(tally.found)
+    if tally.worst is not None and tally.worst.outcome == "violated" and tally.worst_figure is not None:
+        figures.append(tally.worst_figure)
+    figures = list(dict.fromkeys(figures))
     if shrinks:
-        polygons = [shrink(polygon, lambda p: target.evaluate(pslg_of(p)).outcome == "violated")
-                    for polygon in dict.fromkeys(polygons)]
-    finds = [find_json(target, polygon, "violation") for polygon in dict.fromkeys(polygons)]
-    return finds + [find_json(target, polygon, "crash") for polygon, _ in tally.crashed]
+        figures = [shrink(figure, lambda f: target.evaluate(f.pslg()).outcome == "violated", _budget(figure))
+                   for figure in figures]
+    finds = [find_json(target, figure, "violation") for figure in dict.fromkeys(figures)]
+    return finds + [find_json(target, figure, "crash") for figure in tally.crashed]
+
+
+def _budget(figure: Figure) -> int:
+    """Return how often to try: large figures take long."""
+    return max(40, min(300, 30000 // len(figure.points)))

@@ -1,29 +1,16 @@
-"""Polygons with integer corners: what a search moves, compares and stores.
+"""Simple polygons with integer corners, brute force.
 
 `Corners` lists the corners in order, without repeating the first. Everything here is exact and quadratic at worst: it
 is for polygons of a few dozen corners.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
-from math import gcd, lcm
+from collections.abc import Iterator, Sequence
+from typing import TypeAlias
 
-from gmpy2 import mpq
+from exactmesh.families.build import Lattice, doubled_area, turn
 
-from exactmesh.geometry.point import Point
-from exactmesh.planar.pslg import Pslg, polygon
-
-Corner = tuple[int, int]
-Corners = tuple[Corner, ...]
-
-
-def turn(a: Corner, b: Corner, c: Corner) -> int:
-    """Return twice the signed area of the triangle a, b, c."""
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def doubled_area(corners: Sequence[Corner]) -> int:
-    """Return twice the signed area."""
-    return sum(corners[i - 1][0] * q[1] - corners[i - 1][1] * q[0] for i, q in enumerate(corners))
+Corner: TypeAlias = Lattice
+Corners: TypeAlias = tuple[Corner, ...]
 
 
 def is_between(p: Corner, a: Corner, b: Corner) -> bool:
@@ -68,32 +55,14 @@ def normalised(corners: Sequence[Corner]) -> Corners:
     return tuple(moved[start:] + moved[:start])
 
 
-def images(corners: Sequence[Corner]) -> Iterator[Corners]:
-    """Yield the eight images under the symmetries of the square, each normalised; some may be equal."""
-    for flip_x, flip_y, swap in ((a, b, c) for a in (1, -1) for b in (1, -1) for c in (False, True)):
+def images(corners: Sequence[Corner], swaps: bool = True) -> Iterator[Corners]:
+    """Yield the eight images under the symmetries of the square, each normalised, or the four that do not swap the
+    axes; some may be equal."""
+    for flip_x, flip_y, swap in ((a, b, c) for a in (1, -1) for b in (1, -1) for c in (False, True) if swaps or not c):
         moved = [(flip_x * x, flip_y * y) for x, y in corners]
         yield normalised([(y, x) for x, y in moved] if swap else moved)
 
 
-def canonical(corners: Sequence[Corner]) -> Corners:
+def canonical(corners: Sequence[Corner], swaps: bool = True) -> Corners:
     """Return the least image: one for all that differ by translation, symmetry, reversal or start."""
-    return min(images(corners))
-
-
-def divided(corners: Sequence[Corner]) -> Corners:
-    """Return the normalised polygon divided by the greatest common divisor of its coordinates."""
-    here = normalised(corners)
-    common = gcd(*(c for corner in here for c in corner)) or 1
-    return tuple((x // common, y // common) for x, y in here)
-
-
-def pslg_of(corners: Sequence[Corner], name: str = "") -> Pslg:
-    """Return the polygon as an input of the product."""
-    return polygon(corners, name)
-
-
-def corners_of(points: Iterable[Sequence[object]]) -> Corners:
-    """Return rational points, scaled by their common denominator, as corners."""
-    exact = [Point(mpq(x), mpq(y)) for x, y in points]
-    scale = lcm(*(int(c.denominator) for point in exact for c in point)) if exact else 1
-    return tuple((int(p.x * scale), int(p.y * scale)) for p in exact)
+    return min(images(corners, swaps))

@@ -1,4 +1,4 @@
-"""Run a search: hand out what is not done, store what comes back, keep the worst polygon of each target."""
+"""Run a search: hand out what is not done, store what comes back, keep the worst figure of each target."""
 
 import json
 import time
@@ -9,15 +9,15 @@ from typing import Any
 from gmpy2 import mpq
 
 from exactmesh.search.collect import Json, find_json
-from exactmesh.search.corners import Corners, pslg_of
 from exactmesh.search.engine import Engine
-from exactmesh.search.recheck import recheck
+from exactmesh.search.figure import Figure
+from exactmesh.search.recheck import Answer, Checker
 from exactmesh.search.shrink import shrink
 from exactmesh.search.spec import Spec, Task
 from exactmesh.search.store import Row, Store
-from exactmesh.search.targets import target_of
+from exactmesh.search.targets import Evaluation, Target, target_of
 
-Target = tuple[str, str, str]
+Key = tuple[str, str, str]
 _RECORD_BUDGET = 150
 
 
@@ -35,7 +35,7 @@ class Sum:
 
 def run_tasks(store: Store, run: int, spec: Spec, tasks: Iterator[Task], engine: Engine, deadline: float | None,
               progress: Callable[[str], None], stop_at_first: bool = False) -> int:
-    """Do the tasks that the store does not have; return how many polygons were judged now.
+    """Do the tasks that the store does not have; return how many inputs were judged now.
 
     Raises `KeyboardInterrupt` when interrupted; what is stored then is whole, and a later run goes on from there.
     """
@@ -45,12 +45,13 @@ def run_tasks(store: Store, run: int, spec: Spec, tasks: Iterator[Task], engine:
     waiting = (task for task in tasks if not store.is_done(run, task.key))
     reports = engine.reports(spec.to_json(), waiting, deadline)
     try:
-        for report in reports:
-            if report is not None:
-                count += _take(store, run, report, best)
-            progress(_line(count, time.monotonic() - start, best))
-            if stop_at_first and any(total.violations for total in best.values()):
-                return count
+        with Checker() as checker:
+            for report in reports:
+                if report is not None:
+                    count += _take(store, run, report, best, checker)
+                progress(_line(count, time.monotonic() - start, best))
+                if stop_at_first and any(total.violations for total in best.values()):
+                    return count
     finally:
         close = getattr(reports, "close", None)
         if close is not None:
@@ -58,15 +59,15 @@ def run_tasks(store: Store, run: int, spec: Spec, tasks: Iterator[Task], engine:
     return count
 
 
-def totals(store: Store, run: int) -> dict[Target, Sum]:
+def totals(store: Store, run: int) -> dict[Key, Sum]:
     """Return the sums over all stored tasks of a run: the same in whatever order they were done."""
-    found: dict[Target, Sum] = {}
+    found: dict[Key, Sum] = {}
     for row in store.results(run):
         add_row(found, row)
     return found
 
 
-def add_row(found: dict[Target, Sum], row: Row) -> None:
+def add_row(found: dict[Key, Sum], row: Row) -> None:
     """Count one stored row."""
     total = found.setdefault((row["claim"], row["construction"], row["kind"]), Sum())
     for name in ("judged", "skipped", "instances", "violations", "crashes"):
@@ -75,37 +76,39 @@ def add_row(found: dict[Target, Sum], row: Row) -> None:
         total.worst = row
 
 
-def keep_records(store: Store, run: int, targets: Iterator[Target] | None = None) -> None:
-    """Store the worst polygon of each target, shrunk while it is no better, if it is one a search can move."""
-    for key, total in totals(store, run).items():
-        if total.worst is None or not total.worst["direction"] or total.worst["corners"] == "null":
-            continue
-        corners: Corners = tuple((x, y) for x, y in json.loads(total.worst["corners"]))
-        target = target_of(*key)
-        worst = target.evaluate(pslg_of(corners))
-        if worst.value is None:
-            continue
+def keep_records(store: Store, run: int) -> None:
+    """Store the worst figure of each target, shrunk while it is no better, if it is one a search can move."""
+    with Checker() as checker:
+        for key, total in totals(store, run).items():
+            if total.worst is None or not total.worst["direction"] or total.worst["figure"] == "null":
+                continue
+            target = target_of(*key)
+            figure = Figure.from_json(json.loads(total.worst["figure"]))
+            worst = target.evaluate(figure.pslg())
+            if worst.value is None:
+                continue
 
-        def no_better(polygon: Corners, target: Any = target, worst: Any = worst) -> bool:
-            found = target.evaluate(pslg_of(polygon))
-            return found.value is not None and not worst.is_worse_than(found)
+            def no_better(smaller: Figure, target: Target = target, worst: Evaluation = worst) -> bool:
+                found = target.evaluate(smaller.pslg())
+                return found.value is not None and not worst.is_worse_than(found)
 
-        confirm(store, run, total.worst["task"], find_json(target, shrink(corners, no_better, _RECORD_BUDGET),
-                                                           "violation" if worst.outcome == "violated" else "record"))
+            label = "violation" if worst.outcome == "violated" else "record"
+            find = find_json(target, shrink(figure, no_better, _RECORD_BUDGET), label)
+            confirm(store, run, total.worst["task"], find, checker)
 
 
-def confirm(store: Store, run: int, task: str, find: Json) -> None:
+def confirm(store: Store, run: int, task: str, find: Json, checker: Checker) -> None:
     """Store a find that is new, with the word of the independent check."""
     if not store.has_find(find):
-        agrees, says = (False, "a fault of the program, not a counterexample") if find["label"] == "crash" else (
-            recheck(find))
-        store.add_find(run, task, find, agrees, says)
+        answer = (Answer(False, "a fault of the program, not a counterexample") if find["label"] == "crash" else
+                  checker.check(find))
+        store.add_find(run, task, find, answer.agrees, answer.says)
 
 
-def _take(store: Store, run: int, report: Any, best: dict[Target, Sum]) -> int:
+def _take(store: Store, run: int, report: Any, best: dict[Key, Sum], checker: Checker) -> int:
     # Finds first: a process that dies in between does the task again, and stores no find twice.
     for find in report["finds"]:
-        confirm(store, run, report["task"], find)
+        confirm(store, run, report["task"], find, checker)
     if not store.add(run, report):
         return 0
     for row in report["targets"]:
@@ -134,8 +137,8 @@ def worst_text(row: Row | None) -> str:
     return f"{worst['decimal']} = {exact}" if len(exact) <= 60 else f"{worst['decimal']} (exactly: see hits --json)"
 
 
-def _line(count: int, seconds: float, best: dict[Target, Sum]) -> str:
-    parts = [f"{count} polygons, {count / max(seconds, 1e-9):.0f}/s"]
+def _line(count: int, seconds: float, best: dict[Key, Sum]) -> str:
+    parts = [f"{count} inputs, {count / max(seconds, 1e-9):.0f}/s"]
     for key, total in list(best.items())[:2]:
         parts.append(f"{key[0]}: {total.violations} violations, worst {worst_text(total.worst)}")
     return "; ".join(parts)

@@ -4,7 +4,8 @@ from collections.abc import Callable
 from math import atan2, log
 
 from exactmesh.errors import InputError
-from exactmesh.search.corners import Corners, is_simple
+from exactmesh.search.corners import is_simple
+from exactmesh.search.figure import Figure
 from exactmesh.search.targets import Evaluation
 
 
@@ -16,7 +17,7 @@ def require_hypothesis() -> None:
         raise InputError("--strategy guided needs the library hypothesis: pip install hypothesis") from error
 
 
-def guide(see: Callable[[Corners], Evaluation], examples: int, seed: int, most: int = 12, size: int = 8) -> None:
+def guide(see: Callable[[Figure], Evaluation], examples: int, seed: int, most: int = 12, size: int = 8) -> None:
     """Show `see` about `examples` polygons: points sorted by direction, on a grid whose gaps are drawn too.
 
     Scores are told as floats, the logarithm of the exact value: they guide what is tried next and decide nothing.
@@ -39,7 +40,7 @@ def guide(see: Callable[[Corners], Evaluation], examples: int, seed: int, most: 
         middle_y = sum(y for _, y in points) / len(points)
         points = sorted(points, key=lambda p: (atan2(p[1] - middle_y, p[0] - middle_x), p))
         polygon = tuple((sum(columns[:x]), sum(rows[:y])) for x, y in points)
-        if is_simple(polygon) and (found := see(polygon)).rough:
+        if is_simple(polygon) and (found := see(Figure.polygon(polygon))).rough:
             target(log(abs(found.rough)) * (1 if found.rough > 0 else -1), label="badness")
 
     attempt()

@@ -11,12 +11,12 @@ from exactmesh.claims.run import Run
 from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.io.pslg_json import json_from_pslg
-from exactmesh.io.svg import svg_from_mesh
 from exactmesh.io.text import printable
+from exactmesh.pictures.draw import svg_from_mesh
 from exactmesh.planar.pslg import Pslg
 from exactmesh.report import table
-from exactmesh.search.corners import pslg_of
 from exactmesh.search.driver import worst_text
+from exactmesh.search.figure import Figure
 from exactmesh.search.spec import Spec
 from exactmesh.search.targets import OBJECTIVES, target_of
 
@@ -28,11 +28,13 @@ _STYLE = ("body { font: 15px sans-serif; margin: 2em; max-width: 70em } svg { ma
 
 def command_of(spec: Spec) -> str:
     """Return the command that runs a spec, without limits of time and place."""
-    claim, construction, kind = spec.targets[0]
     family = spec.family + "".join(f"{',' if i else ':'}{name}={value}"
                                    for i, (name, value) in enumerate(spec.parameters))
     if spec.plugin:
         family = f"PLUGIN.py:{family}"
+    if spec.strategy == "inputs" or len(spec.targets) > 1:
+        return _verify_command(spec, json.loads(spec.family) if spec.strategy == "inputs" else [f"family:{family}"])
+    claim, construction, kind = spec.targets[0]
     parts = ["exactmesh", "search", claim, "--construction", construction, "--kind", kind, "--strategy", spec.strategy,
              "--family", family, "--seed", str(spec.seed)]
     if spec.strategy != "exhaustive":
@@ -40,6 +42,17 @@ def command_of(spec: Spec) -> str:
     if spec.shard != (0, 1):
         parts += ["--shard", "{}/{}".format(*spec.shard)]
     return shlex.join(parts)
+
+
+def _verify_command(spec: Spec, inputs: list[str]) -> str:
+    claims = ",".join(dict.fromkeys(claim for claim, _, _ in spec.targets))
+    constructions = {construction for _, construction, _ in spec.targets}
+    kinds = {kind for _, _, kind in spec.targets}
+    parts = ["exactmesh", "verify-run", *inputs, "--claims", claims, "--construction",
+             constructions.pop() if len(constructions) == 1 else "both", "--seed", str(spec.seed)]
+    if len(kinds) == 1:
+        parts += ["--kind", kinds.pop()]
+    return shlex.join([*parts, *(["--shrink"] if spec.shrinks else [])])
 
 
 def show_command(find: Find, path: str) -> str:
@@ -61,7 +74,7 @@ def find_record(find: Find) -> dict[str, object]:
     shown = json.loads(find["shown"])
     return {"id": find["id"], "claim": find["claim"], "construction": find["construction"], "kind": find["kind"],
             "label": find["label"], "confirmed": bool(find["confirmed"]), "confirmation": find["confirmation"],
-            "corners": json.loads(find["corners"]), "outcome": find["outcome"], "value": find["exact"],
+            "figure": json.loads(find["figure"]), "outcome": find["outcome"], "value": find["exact"],
             "worst": shown.get("worst"), "witness": shown.get("witness"), "error": shown.get("error"),
             "strategy": spec["strategy"], "family": spec["family"], "seed": spec["seed"], "task": find["task"],
             "version": find["version"], "found_by": find["command"],
@@ -70,19 +83,28 @@ def find_record(find: Find) -> dict[str, object]:
 
 def finds_text(finds: Iterable[Find]) -> str:
     """Return finds as a table."""
-    rows = [("id", "claim", "construction", "label", "checked", "corners", "worst", "polygon")]
+    rows = [("id", "claim", "construction", "label", "confirmed by", "points", "worst", "figure")]
     for find in finds:
-        corners = json.loads(find["corners"])
-        text = " ".join(f"{x},{y}" for x, y in corners)
-        rows.append((str(find["id"]), find["claim"], find["construction"], find["label"],
-                     "agrees" if find["confirmed"] else "NO", str(len(corners)),
-                     worst_text(find), text if len(text) <= 60 else text[:57] + "..."))
+        figure = figure_of(find)
+        text = figure.text()
+        rows.append((str(find["id"]), find["claim"], find["construction"], find["label"], confirmed_by(find),
+                     str(len(figure.points)), worst_text(find), text if len(text) <= 60 else text[:57] + "..."))
     return table(rows, right=(0, 5))
 
 
+def confirmed_by(find: Find) -> str:
+    """Return in a word how far the independent check of a find goes."""
+    return str(find["confirmation"]).partition(":")[0] if find["confirmed"] else "NOTHING"
+
+
+def figure_of(find: Find) -> Figure:
+    """Return the figure of a find."""
+    return Figure.from_json(json.loads(find["figure"]))
+
+
 def pslg_of_find(find: Find) -> Pslg:
-    """Return the polygon of a find, named after it."""
-    return pslg_of([tuple(corner) for corner in json.loads(find["corners"])], find_name(find))
+    """Return the input of a find, named after it."""
+    return figure_of(find).pslg(find_name(find))
 
 
 def picture(find: Find) -> str:
@@ -92,7 +114,7 @@ def picture(find: Find) -> str:
     for run in (Run(pslg, target.construction, target.kind), Run(pslg, "classic", "classic")):
         try:
             return svg_from_mesh(pslg, run.mesh, run.verification)
-        except Exception:  # a find may be a polygon on which the construction, or the program, fails
+        except Exception:  # a find may be an input on which the construction, or the program, fails
             continue
     return ""
 
@@ -116,7 +138,7 @@ def html_page(finds: Iterable[Find], title: str) -> str:
     """Return a page with a picture and the facts of each find; it needs no other file."""
     parts = [_head(title)]
     for find in finds:
-        facts = [("worst", worst_text(find)), ("label", find["label"]), ("corners", find["corners"]),
+        facts = [("worst", worst_text(find)), ("label", find["label"]), ("figure", find["figure"]),
                  ("independent check", find["confirmation"]), ("found by", find["command"]),
                  ("shown by", show_command(find, find_name(find) + ".json"))]
         rows = "".join(f"<tr><th>{name}</th><td>{escape(str(value))}</td></tr>" for name, value in facts)
@@ -142,7 +164,7 @@ def verification_record(rows: Mapping[tuple[str, str, str], Any], refused: list[
             "inputs": total.judged, "not_for": total.skipped, "instances": total.instances,
             "violations": total.violations, "crashes": total.crashes, "worst": shown.get("worst"),
             "witness": None if worst is None else {
-                "input": worst["input"], "corners": json.loads(worst["corners"]), "place": shown.get("witness")}})
+                "input": worst["input"], "figure": json.loads(worst["figure"]), "place": shown.get("witness")}})
     return {"format": "exactmesh-verification-run/1", "claims": claims, "refused": refused}
 
 
@@ -155,11 +177,18 @@ def status_of(total: Any) -> str:
     return f"holds on {total.instances} instances" if total.instances else "open: no instance"
 
 
+def _on(worst: Find | None) -> str:
+    """Return the name of the input with the worst value, or the figure itself."""
+    if worst is None:
+        return ""
+    return str(worst["input"]) or Figure.from_json(json.loads(worst["figure"])).text()
+
+
 def verification_text(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> str:
     """Return the sums of a verification run as a table."""
     lines = [("claim", "construction", "inputs", "status", "worst", "on")]
     for (claim, construction, _), total in sorted(rows.items()):
-        on = (total.worst["input"] or total.worst["corners"]) if total.worst else ""
+        on = _on(total.worst)
         lines.append((claim, construction, str(total.judged), status_of(total), worst_text(total.worst),
                       on if len(on) <= 60 else on[:57] + "..."))
     return "\n".join([table(lines, right=(2,)), *(f"refused: {text}" for text in refused)])
@@ -170,7 +199,7 @@ def verification_html(rows: Mapping[tuple[str, str, str], Any], refused: list[st
     parts = [_head("Verification run"), "<table><tr><th>claim</th><th>construction</th><th>kind</th><th>inputs</th>"
              "<th>status</th><th>worst</th><th>on</th></tr>"]
     for key, total in sorted(rows.items()):
-        on = (total.worst["input"] or total.worst["corners"]) if total.worst else ""
+        on = _on(total.worst)
         cells = (*key, total.judged, status_of(total), worst_text(total.worst), on)
         state = ' class="no"' if total.violations or total.crashes else ""
         parts.append(f"<tr{state}>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in cells) + "</tr>")

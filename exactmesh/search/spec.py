@@ -7,7 +7,7 @@ from functools import lru_cache
 from typing import Literal, NamedTuple, get_args
 
 from exactmesh.errors import InputError
-from exactmesh.search.families import family_of
+from exactmesh.search.families import DOMAINS, family_of
 from exactmesh.search.lattice import Prefix, prefixes
 from exactmesh.search.targets import Target, target_of
 
@@ -65,36 +65,42 @@ class Spec:
             lattice_range(self)
         elif self.strategy != "inputs":
             family_of(self.family, dict(self.parameters), self.plugin)
+            if not self.plugin and self.family in DOMAINS and all(run == "paper" for _, run, _ in self.targets):
+                raise InputError(f"the family {self.family} is not of simple polygons, which is all that the paper's "
+                                 "construction is for")
         defaults = {"random": 25, "climb": 120, "anneal": 120, "guided": 60}
         return replace(self, size=self.size or defaults.get(self.strategy, 1))
 
 
-def lattice_range(spec: Spec) -> tuple[range, int, bool, bool]:
-    """Return the numbers of corners, the grid, whether straight angles count, whether all images are judged."""
+def lattice_range(spec: Spec) -> tuple[range, int, int, bool, bool]:
+    """Return the numbers of corners, columns and rows, whether straight angles count, whether all images are judged."""
     if spec.family != "lattice":
-        raise InputError("the exhaustive strategy is for --family lattice[:n=4,m=3] (and nmax, straight, images)")
-    parameters = {"n": 4, "m": 3, "straight": 1, "images": 1, **dict(spec.parameters)}
-    if unknown := sorted(set(parameters) - {"n", "nmax", "m", "straight", "images"}):
-        raise InputError(f"the family lattice has no parameter {unknown[0]!r}; it has n, nmax, m, straight, images")
+        raise InputError("the exhaustive strategy is for --family lattice[:n=4,m=3] (and nmax, k, straight, images)")
+    known = {"n": 4, "m": 3, "straight": 1, "images": 1}
+    parameters = {**known, **dict(spec.parameters)}
+    if unknown := sorted(set(parameters) - {*known, "nmax", "k"}):
+        raise InputError(f"the family lattice has no parameter {unknown[0]!r}; it has n, nmax, m, k, straight, images")
     n, m = parameters["n"], parameters["m"]
-    if n < 3 or m < 2:
-        raise InputError("lattice polygons have n >= 3 corners on m >= 2 points a side")
-    return range(n, max(n, parameters.get("nmax", n)) + 1), m, bool(parameters["straight"]), bool(parameters["images"])
+    k = parameters.get("k", m)
+    if n < 3 or m < 2 or k < 2:
+        raise InputError("lattice polygons have n >= 3 corners on m >= 2 columns and k >= 2 rows of points")
+    counts = range(n, max(n, parameters.get("nmax", n)) + 1)
+    return counts, m, k, bool(parameters["straight"]), bool(parameters["images"])
 
 
 @lru_cache(maxsize=4)
-def prefix_list(m: int) -> tuple[Prefix, ...]:
+def prefix_list(m: int, k: int) -> tuple[Prefix, ...]:
     """Return all prefixes of lattice polygons, by index."""
-    return tuple(prefixes(m))
+    return tuple(prefixes(m, k))
 
 
 def search_tasks(spec: Spec) -> Iterator[Task]:
     """Yield the tasks of a search in order: finitely many of an exhaustive one, of others without end."""
     residue, modulus = spec.shard
     if spec.strategy == "exhaustive":
-        counts, m, _, _ = lattice_range(spec)
+        counts, m, k, _, _ = lattice_range(spec)
         for n in counts:
-            for index in range(residue, len(prefix_list(m)), modulus):
+            for index in range(residue, len(prefix_list(m, k)), modulus):
                 yield Task(f"{n}:{index}")
         return
     index = residue

@@ -15,6 +15,7 @@ from exactmesh.errors import InputError
 from exactmesh.io.text import printable
 
 _APPLICATION = 0x65786D73  # "exms"
+_LAYOUT = 2
 _WAIT_SECONDS = 60.0
 _TABLES = {
     "runs": "id INTEGER PRIMARY KEY, spec TEXT NOT NULL UNIQUE, version TEXT NOT NULL, command TEXT NOT NULL, "
@@ -24,12 +25,12 @@ _TABLES = {
                "kind TEXT NOT NULL, judged INTEGER NOT NULL, skipped INTEGER NOT NULL, instances INTEGER NOT NULL, "
                "violations INTEGER NOT NULL, crashes INTEGER NOT NULL, outcome TEXT NOT NULL, exact TEXT NOT NULL, "
                "low TEXT NOT NULL, direction INTEGER NOT NULL, shown TEXT NOT NULL, input TEXT NOT NULL, "
-               "corners TEXT NOT NULL, PRIMARY KEY (run, task, claim, construction, kind)",
+               "figure TEXT NOT NULL, PRIMARY KEY (run, task, claim, construction, kind)",
     "finds": "id INTEGER PRIMARY KEY, claim TEXT NOT NULL, construction TEXT NOT NULL, kind TEXT NOT NULL, "
-             "corners TEXT NOT NULL, label TEXT NOT NULL, outcome TEXT NOT NULL, exact TEXT NOT NULL, "
+             "figure TEXT NOT NULL, label TEXT NOT NULL, outcome TEXT NOT NULL, exact TEXT NOT NULL, "
              "low TEXT NOT NULL, direction INTEGER NOT NULL, shown TEXT NOT NULL, confirmed INTEGER NOT NULL, "
              "confirmation TEXT NOT NULL, run INTEGER NOT NULL, task TEXT NOT NULL, "
-             "UNIQUE (claim, construction, kind, corners)",
+             "UNIQUE (claim, construction, kind, figure)",
 }
 Row = Mapping[str, Any]
 
@@ -84,10 +85,10 @@ class Store:
         return True
 
     def has_find(self, find: Mapping[str, Any]) -> bool:
-        """Return whether a polygon is stored for its target."""
+        """Return whether a figure is stored for its target."""
         return self._base.execute(
-            "SELECT 1 FROM finds WHERE claim = ? AND construction = ? AND kind = ? AND corners = ?",
-            (*find["target"], json.dumps(find["corners"]))).fetchone() is not None
+            "SELECT 1 FROM finds WHERE claim = ? AND construction = ? AND kind = ? AND figure = ?",
+            (*find["target"], json.dumps(find["figure"]))).fetchone() is not None
 
     def add_find(self, run: int, task: str, find: Mapping[str, Any], confirmed: bool, confirmation: str) -> bool:
         """Store a find with the word of the independent check; return False when it was there."""
@@ -96,7 +97,7 @@ class Store:
                                           "confirmation": confirmation})
 
     def evaluated(self, run: int) -> int:
-        """Return how many polygons the run has judged."""
+        """Return how many inputs the run has judged."""
         return int(self._base.execute("SELECT total(evaluated) FROM tasks WHERE run = ?", (run,)).fetchone()[0])
 
     def runs(self) -> list[Row]:
@@ -125,10 +126,17 @@ class Store:
         return _Transaction(self._base)
 
     def _prepare(self) -> None:
+        # One transaction: another process may be making the file right now.
+        self._base.execute("BEGIN")
         found = self._base.execute("PRAGMA application_id").fetchone()[0]
+        tables = self._base.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]
+        self._base.execute("COMMIT")
         if found == _APPLICATION:
+            if (layout := self._base.execute("PRAGMA user_version").fetchone()[0]) != _LAYOUT:
+                raise InputError(f"{printable(self.path)}: was written by another version (layout {layout}, not "
+                                 f"{_LAYOUT})")
             return
-        if found or self._base.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
+        if found or tables:
             raise InputError(f"{printable(self.path)}: is a database of another program")
         self._base.execute("PRAGMA journal_mode = WAL")
         with self._transaction():
@@ -137,6 +145,7 @@ class Store:
                 for deed in ("UPDATE", "DELETE"):
                     self._base.execute(f"CREATE TRIGGER IF NOT EXISTS {name}_{deed} BEFORE {deed} ON {name} "
                                        "BEGIN SELECT RAISE(ABORT, 'rows of a store are never changed'); END")
+            self._base.execute(f"PRAGMA user_version = {_LAYOUT}")
             self._base.execute(f"PRAGMA application_id = {_APPLICATION}")
 
 
@@ -156,6 +165,6 @@ class _Transaction:
 
 def _row(report: Mapping[str, Any], run: int, task: str) -> dict[str, object]:
     claim, construction, kind = report["target"]
-    rest = {name: value for name, value in report.items() if name not in ("target", "corners")}
+    rest = {name: value for name, value in report.items() if name not in ("target", "figure")}
     return {"run": run, "task": task, "claim": claim, "construction": construction, "kind": kind, **rest,
-            "corners": json.dumps(report["corners"])}
+            "figure": json.dumps(report["figure"])}

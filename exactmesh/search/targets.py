@@ -27,13 +27,16 @@ _BITS = 200
 
 @dataclass(frozen=True, slots=True)
 class Evaluation:
-    """`value` is the worst exact value met; None without one. `direction` is 1 when greater is worse, -1 when less."""
+    """`value` is the worst exact value met; None without one. `direction` is 1 when greater is worse, -1 when less.
+    `error` says what went wrong in a crash."""
 
     outcome: Outcome
     value: mpq | Real | None = None
     direction: int = 0
     instances: int = 0
-    shown: str = ""
+    claim: Claim | None = None
+    verdict: Verdict | None = None
+    error: str = ""
 
     def is_worse_than(self, other: "Evaluation") -> bool:
         """Return whether this is the worse of two evaluations, exactly; a violation is worse than none."""
@@ -47,6 +50,13 @@ class Evaluation:
     def low(self) -> mpq | None:
         """The rational that stands for the value in orders."""
         return self.value.enclosure(_BITS)[0] if isinstance(self.value, Real) else self.value
+
+    @property
+    def shown(self) -> str:
+        """The claim with its verdict, or the error, as JSON text; costly, and wanted of few."""
+        if self.claim is None or self.verdict is None:
+            return json.dumps({"error": self.error} if self.error else {})
+        return json.dumps(claim_json(self.claim, self.verdict), default=str)
 
     @property
     def rough(self) -> float:
@@ -89,21 +99,17 @@ class Target:
             return Evaluation("skipped")
         except ConstructionFailed as error:
             verdict = Verdict(1, False, None, Witness("the construction fails", {"step": error.step}))
-            return Evaluation("violated", None, self.direction, 1, self._shown(verdict))
+            return Evaluation("violated", None, self.direction, 1, self.claim, verdict)
         except Exception as error:  # a fault of the program: kept, so that it can be mended, never a counterexample
-            return Evaluation("crash", shown=json.dumps({"error": f"{type(error).__name__}: {error}"[:500]}))
+            return Evaluation("crash", error=f"{type(error).__name__}: {error}"[:500])
         outcome: Outcome = "holds" if verdict.holds else "violated"
-        return Evaluation(outcome, verdict.worst, self.direction, verdict.instances, self._shown(verdict))
-
-    def _shown(self, verdict: Verdict) -> str:
-        return json.dumps(claim_json(self.claim, verdict), default=str)
+        return Evaluation(outcome, verdict.worst, self.direction, verdict.instances, self.claim, verdict)
 
 
 def _degradation(run: Run) -> Verdict:
-    verification = run.verification
-    squared = verification.degradation_squared
+    squared = run.verification.degradation_squared
     if squared is None:
-        return Verdict(1, False, None, Witness("the mesh is not valid", {}))
+        raise InputError("the mesh is not valid: there are claims on that")
     return Verdict(1, True, squared)
 
 

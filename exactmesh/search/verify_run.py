@@ -15,6 +15,7 @@ from exactmesh.search.targets import OBJECTIVES, target_of
 
 Target = tuple[str, str, str]
 _LINES = 100
+_FIGURES = 100
 _SUFFIXES = (".json", ".geojson", ".wkt", ".poly", ".txt")
 
 
@@ -64,11 +65,11 @@ def input_tasks(inputs: Sequence[str], refused: list[str]) -> Iterator[Task]:
             refused.append(str(error))
 
 
-def family_spec(text: str, targets: tuple[Target, ...], seed: int, size: int) -> Spec:
-    """Return the spec of a family written `name:parameter=value,...`, or `path.py:function`."""
+def family_spec(text: str, targets: tuple[Target, ...], seed: int, count: int, shrinks: bool) -> Spec:
+    """Return the spec of `count` figures of a family written `name:parameter=value,...`, or `path.py:function`."""
     family, parameters, plugin = parsed_family(text)
     strategy = "exhaustive" if family == "lattice" else "random"
-    return Spec(targets, strategy, family, parameters, plugin, seed, size, shrinks=False).checked()  # type: ignore[arg-type]
+    return Spec(targets, strategy, family, parameters, plugin, seed, min(count, _FIGURES), shrinks=shrinks).checked()  # type: ignore[arg-type]
 
 
 def parsed_family(text: str) -> tuple[str, tuple[tuple[str, int], ...], str]:

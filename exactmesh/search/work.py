@@ -6,7 +6,8 @@ import random
 from exactmesh.io.pslg_json import pslg_from_json
 from exactmesh.search.collect import Collector, Json
 from exactmesh.search.corners import images
-from exactmesh.search.families import family_of, simple_sample
+from exactmesh.search.families import family_of, planar_sample
+from exactmesh.search.figure import Figure
 from exactmesh.search.guided import guide
 from exactmesh.search.lattice import lattice_polygons
 from exactmesh.search.moves import climb
@@ -24,29 +25,30 @@ def run_task(spec_text: str, key: str, payload: str = "") -> Json:
         _exhaust(spec, key, collector)
     elif spec.strategy == "inputs":
         for text in json.loads(payload):
-            collector.see_input(pslg_from_json(text))
+            pslg = pslg_from_json(text)
+            collector.see_input(pslg, Figure.of(pslg) if spec.shrinks else None)
     elif spec.strategy == "guided":
         guide(collector.see, spec.size, source.getrandbits(64))
     else:
         _sample(spec, source, collector)
-    return collector.result(key, spec.shrinks)
+    return collector.result(key, spec.shrinks, spec.strategy != "inputs")
 
 
 def _exhaust(spec: Spec, key: str, collector: Collector) -> None:
     """Judge all polygons of one prefix, each in all different positions unless one is enough."""
-    _, m, straight, all_images = lattice_range(spec)
+    _, m, k, straight, all_images = lattice_range(spec)
     n, index = map(int, key.split(":"))
-    for polygon in lattice_polygons(n, m, prefix_list(m)[index], straight):
+    for polygon in lattice_polygons(n, m, prefix_list(m, k)[index], straight, k):
         for image in sorted(set(images(polygon))) if all_images else [polygon]:
-            collector.see(image)
+            collector.see(Figure.polygon(image))
 
 
 def _sample(spec: Spec, source: random.Random, collector: Collector) -> None:
-    """Judge random polygons, or walk from one."""
+    """Judge random figures, or walk from one."""
     family = family_of(spec.family, dict(spec.parameters), spec.plugin)
     if spec.strategy == "random":
         for _ in range(spec.size):
-            if (polygon := simple_sample(family, source)) is not None:
-                collector.see(polygon)
-    elif (start := simple_sample(family, source)) is not None:
+            if (figure := planar_sample(family, source)) is not None:
+                collector.see(figure)
+    elif (start := planar_sample(family, source)) is not None:
         climb(start, collector.see, spec.size, source, _WARMTH if spec.strategy == "anneal" else 0.0)

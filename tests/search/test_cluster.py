@@ -17,7 +17,7 @@ distributed = pytest.importorskip("distributed", reason="dask.distributed is not
 def contents(path: Path) -> tuple[list[dict[str, object]], set[tuple[object, ...]]]:
     with Store(str(path)) as store:
         [run] = store.runs()
-        finds = {(find["claim"], find["corners"], find["exact"], find["confirmed"]) for find in store.finds()}
+        finds = {(find["claim"], find["figure"], find["exact"], find["confirmed"]) for find in store.finds()}
         return list(store.results(run["id"])), finds
 
 

@@ -32,7 +32,7 @@ def rows(path: Path) -> list[dict[str, object]]:
 
 def finds(path: Path) -> set[tuple[object, ...]]:
     with Store(str(path)) as store:
-        return {(find["claim"], find["corners"], find["exact"], find["confirmed"]) for find in store.finds()}
+        return {(find["claim"], find["figure"], find["exact"], find["confirmed"]) for find in store.finds()}
 
 
 def search(path: Path, *more: str) -> int:
@@ -133,11 +133,11 @@ def test_hits_are_listed_filtered_and_exported(tmp_path: Path, capsys: pytest.Ca
     assert main(["hits", str(path), "--confirmed", "--label", "violation", "--json"]) == 0
     records = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
     assert records and all(r["confirmed"] and r["seed"] == 0 and r["strategy"] == "random" for r in records)
-    assert main(["hits", str(path), "--max-corners", "2"]) == 0
+    assert main(["hits", str(path), "--max-points", "2"]) == 0
     assert len(capsys.readouterr().out.splitlines()) == 1
     assert main(["hits", str(path), "--html", str(tmp_path / "page.html"), "--export", str(folder)]) == 0
     commands = capsys.readouterr().out.splitlines()
-    assert (tmp_path / "page.html").read_text().count("<svg") == len(commands) == len(list(folder.glob("*.svg")))
+    assert (tmp_path / "page.html").read_text().count("<h2") == len(commands) == len(list(folder.glob("*.svg")))
     assert main(commands[0].split()[1:]) == 1  # it shows the violation
     assert main(["hits", str(tmp_path / "none")]) == 2
 
