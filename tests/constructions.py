@@ -94,8 +94,8 @@ def rings_on_levels(*rings: Sequence[tuple[Any, int]]) -> Offset:
 
 
 def points_of(q: Offset, chords: Trapezoidation) -> list[Any]:
-    """Return the points of Q and the chord ends by number; those of P are missing."""
-    return [None] * q.first + [*q.points, *chords.points]
+    """Return the points of Q and the chord ends by number; those of P are all somewhere else."""
+    return [Point(mpq(-999), mpq(-999))] * q.first + [*q.points, *chords.points]
 
 
 def cycle_area(points: Sequence[Point], cycle: Sequence[int]) -> Fraction:

@@ -32,11 +32,11 @@ def _unit(run: Run) -> Verdict:
 
 
 def _thickness_least(run: Run) -> Verdict:
-    return offset_check.check_thickness(run.repaired.shape, run.repaired.offset)[0]
+    return run.offset_thickness[0]
 
 
 def _thickness_greatest(run: Run) -> Verdict:
-    return offset_check.check_thickness(run.repaired.shape, run.repaired.offset)[1]
+    return run.offset_thickness[1]
 
 
 def _separation(run: Run) -> Verdict:
@@ -49,17 +49,15 @@ def _nesting(run: Run) -> Verdict:
 
 def _trapezoids_tile(run: Run) -> Verdict:
     made = run.repaired
-    return trapezoidation_check.check_tiling(made.offset, made.trapezoidation, made.points)
+    return trapezoidation_check.check_tiling(made.offset, made.trapezoidation, run.columns)
 
 
 def _chord_gap(run: Run) -> Verdict:
-    made = run.repaired
-    return trapezoidation_check.check_gaps(made.offset, made.trapezoidation, made.points)[0]
+    return run.chord_gaps[0]
 
 
 def _chord_leg(run: Run) -> Verdict:
-    made = run.repaired
-    return trapezoidation_check.check_gaps(made.offset, made.trapezoidation, made.points)[1]
+    return run.chord_gaps[1]
 
 
 def _chord_touch(run: Run) -> Verdict:
@@ -68,7 +66,7 @@ def _chord_touch(run: Run) -> Verdict:
 
 def _chord_clearance(run: Run) -> Verdict:
     made = run.repaired
-    return trapezoidation_check.check_clearance(made.offset, made.trapezoidation, made.points)
+    return trapezoidation_check.check_clearance(made.offset, made.trapezoidation, run.columns)
 
 
 def _caps_whole(run: Run) -> Verdict:
@@ -78,26 +76,26 @@ def _caps_whole(run: Run) -> Verdict:
 
 def _edge_gap(run: Run) -> Verdict:
     made = run.repaired
-    return patch_check.check_edge_gaps(made.offset, made.trapezoidation, made.interior, made.points)
+    return patch_check.check_edge_gaps(made.offset, made.trapezoidation, made.interior, run.columns, run.chains)
 
 
 def _interior_tiles(run: Run) -> Verdict:
     made = run.repaired
-    return patch_check.check_interior_tiling(made.offset, made.trapezoidation, made.interior, made.points)
+    return patch_check.check_interior_tiling(made.offset, made.trapezoidation, made.interior, run.columns, run.chains)
 
 
 def _interior_feature(run: Run) -> Verdict:
-    return patch_check.check_feature(run.repaired.interior, run.repaired.points)
+    return patch_check.check_feature(run.repaired.interior, run.columns)
 
 
 def _tube_tiles(run: Run) -> Verdict:
     made = run.repaired
     return patch_check.check_tube_tiling(made.shape, made.offset, made.trapezoidation, made.interior, made.tube,
-                                         made.points)
+                                         run.columns, run.chains)
 
 
 def _tube_feature(run: Run) -> Verdict:
-    return patch_check.check_feature(run.repaired.tube, run.repaired.points)
+    return patch_check.check_feature(run.repaired.tube, run.columns)
 
 
 def _vertex_count(run: Run) -> Verdict:

@@ -7,16 +7,22 @@ from typing import Literal
 
 from exactmesh.classic import classic_mesh, optimal_classic_mesh
 from exactmesh.errors import InputError
+from exactmesh.geometry.columns import Columns
 from exactmesh.measure.ifs import internal_feature_size
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
+from exactmesh.measure.verdict import Verdict
 from exactmesh.paper import PaperConstruction, PaperOptions, construct_paper, simple_polygon
 from exactmesh.planar.faces import Subdivision, domain_of
 from exactmesh.planar.mesh import Kind, Mesh
 from exactmesh.planar.pslg import Pslg
 from exactmesh.repaired import Construction, construct
+from exactmesh.steps.edge_chains import Chains, Misplaced
+from exactmesh.steps.offset_check import check_thickness
 from exactmesh.steps.offset_curve import offset_curve
+from exactmesh.steps.patch_check import chains_of
 from exactmesh.steps.records import OffsetCurve
+from exactmesh.steps.trapezoidation_check import check_gaps
 
 ConstructionName = Literal["repaired", "paper", "classic"]
 
@@ -92,6 +98,27 @@ class Run:
     def repaired(self) -> Construction:
         """The repaired construction, step by step."""
         return construct(self.subdivision, self.size.squared, self.progress, self.kind)
+
+    @cached_property
+    def columns(self) -> Columns:
+        """All points of the repaired construction, for its checkers."""
+        return Columns(self.repaired.points)
+
+    @cached_property
+    def chains(self) -> Chains | Misplaced:
+        """The edges of the repaired construction's Q with all vertices recorded on them."""
+        made = self.repaired
+        return chains_of(made.offset, made.trapezoidation, made.interior, self.columns)
+
+    @cached_property
+    def offset_thickness(self) -> tuple[Verdict, Verdict]:
+        """The verdicts on the least and on the greatest distance of offset edges from their edges."""
+        return check_thickness(self.repaired.shape, self.repaired.offset)
+
+    @cached_property
+    def chord_gaps(self) -> tuple[Verdict, Verdict]:
+        """The verdicts on the distances of T-vertices from neighbours and from legs."""
+        return check_gaps(self.repaired.offset, self.repaired.trapezoidation, self.columns)
 
     @cached_property
     def paper(self) -> PaperConstruction:

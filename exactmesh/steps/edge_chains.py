@@ -2,14 +2,16 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 
-from gmpy2 import mpq
+import numpy as np
 
-from exactmesh.geometry.point import Point, minus
-from exactmesh.geometry.predicates import is_between, orientation
-from exactmesh.planar.cycles import Side
+from exactmesh.geometry.balls import Ints
+from exactmesh.geometry.columns import Columns, Rows
+from exactmesh.geometry.point import Point
+from exactmesh.geometry.predicates import orientation
 from exactmesh.steps.records import Offset
+
+Chains = list[list[int]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,27 +22,29 @@ class Misplaced:
     vertex: int
 
 
-def edge_chains(offset: Offset, on_edge: Iterable[tuple[int, int]], points: Sequence[Point]
-                ) -> list[list[int]] | Misplaced:
+def edge_chains(offset: Offset, on_edge: Iterable[tuple[int, int]], points: Sequence[Point]) -> Chains | Misplaced:
     """Return, for each edge k of Q, its vertices in order along it, from vertex k to the next one of the ring."""
+    first = offset.first
+    points = points.points if isinstance(points, Columns) else points
     following = offset.successors()
-    chains = [[offset.first + k] for k in range(len(following))]
+    inner: dict[int, list[int]] = {}
     for k, v in on_edge:
-        a, b, p = points[offset.first + k], points[offset.first + following[k]], points[v]
-        if orientation(a, b, p) != 0 or not is_between(a, p, b) or p in (a, b):
+        a, b, p = points[first + k], points[first + following[k]], points[v]
+        # On a line, points are in lexicographic order.
+        if not (a < p < b or b < p < a) or orientation(a, b, p) != 0:
             return Misplaced(k, v)
-        chains[k].append(v)
-    for k, chain in enumerate(chains):
-        steps = [(_length(minus(points[v], points[chain[0]])), v) for v in chain]
-        chain[:] = [v for _, v in sorted(steps)] + [offset.first + following[k]]
+        inner.setdefault(k, []).append(v)
+    chains = [[first + k, first + end] for k, end in enumerate(following)]
+    for k, between in inner.items():
+        if len(between) > 1:
+            between.sort()
+            between.sort(key=points.__getitem__, reverse=points[first + following[k]] < points[first + k])
+        chains[k][1:1] = between
     return chains
 
 
-def chain_sides(chains: Iterable[Sequence[int]]) -> set[Side]:
-    """Return the directed edges of all chains."""
-    return {side for chain in chains for side in pairwise(chain)}
-
-
-def _length(step: Point) -> mpq:
-    """Return a measure that grows along a line."""
-    return abs(step.x) + abs(step.y)
+def chain_sides(chains: Sequence[Sequence[int]]) -> Ints:
+    """Return the directed edges of all chains as pairs of vertices; a chain is not empty."""
+    rows = Rows(chains)
+    sides: Ints = np.column_stack((np.delete(rows.flat, rows.start[1:] - 1), np.delete(rows.flat, rows.start[:-1])))
+    return sides

@@ -5,9 +5,11 @@ I2 separation   a vertex of Q keeps 0.0599 from every edge of Q that does not co
 I3 nesting      Q is a set of simple rings on levels, one a walk, turned like it and inside its face.
 """
 
+import numpy as np
 from gmpy2 import mpq
 
 from exactmesh.errors import GeometryError
+from exactmesh.geometry.columns import Columns, indices
 from exactmesh.geometry.distance import distance_squared
 from exactmesh.geometry.point import Point, cross, minus
 from exactmesh.geometry.predicates import doubled_area
@@ -16,6 +18,7 @@ from exactmesh.measure.verdict import Tally, Verdict, Witness, failed
 from exactmesh.planar.pslg import Edge, Pslg
 from exactmesh.planar.validate import validate
 from exactmesh.steps.constants import LEVEL, SEPARATION, THICKNESS_MAX
+from exactmesh.steps.filtered_tally import see_worst
 from exactmesh.steps.records import Offset, Shape
 
 
@@ -26,16 +29,25 @@ def check_thickness(shape: Shape, offset: Offset) -> tuple[Verdict, Verdict]:
     """
     least = Tally("distance to the edge >= g", ">=", LEVEL**2)
     greatest = Tally("distance to the edge <= 0.4701", "<=", THICKNESS_MAX**2)
-    following = offset.successors()
-    for k, h in enumerate(offset.source):
-        if h < 0:
-            continue
-        a, b = shape.points[shape.origin[h]], shape.points[shape.origin[h ^ 1]]
-        for end in (k, following[k]):
-            area = doubled_area(a, b, offset.points[end])
-            squared = area * abs(area) / distance_squared(a, b)
-            for tally in (least, greatest):
-                tally.see(squared, edge=h >> 1, at=str(offset.points[end]))
+    points = Columns((*shape.points, *offset.points))
+    origin, source = indices(shape.origin), indices(offset.source)
+    k = np.flatnonzero(source >= 0)
+    half_edge = np.repeat(source[k], 2)
+    a, b = origin[half_edge], origin[half_edge ^ 1]
+    end = np.column_stack((k, indices(offset.successors())[k])).ravel() + len(shape.points)
+    area = points.doubled_areas(a, b, end)
+    values = area * area.sizes() / points.distances_squared(a, b)
+
+    def exactly(i: int) -> mpq:
+        p, q = points[a[i]], points[b[i]]
+        size = doubled_area(p, q, points[end[i]])
+        return size * abs(size) / distance_squared(p, q)
+
+    def place(i: int) -> dict[str, object]:
+        return {"edge": int(half_edge[i]) >> 1, "at": str(points[end[i]])}
+
+    for tally in (least, greatest):
+        see_worst(tally, "offset thickness", values, exactly, place)
     return least.verdict(), greatest.verdict()
 
 
@@ -57,8 +69,9 @@ def check_nesting(shape: Shape, offset: Offset) -> Verdict:
     P, Q and one spoke a ring, from a corner of the walk to its vertex of Q, are checked to be a planar graph; the
     spoke must leave the corner within its angle. A ring that crosses nothing of P is then inside the face.
     """
+    height = {level: (level + mpq(1, 2)) * LEVEL for level in set(offset.level)}
     for k, point in enumerate(offset.points):
-        if (point.x, point.y) != (offset.x[k], (offset.level[k] + mpq(1, 2)) * LEVEL):
+        if (point.x, point.y) != (offset.x[k], height[offset.level[k]]):
             return failed(k + 1, "vertices are on levels", vertex_of_q=k, at=str(point))
     walks = [walk for face, _ in zip(shape.faces, shape.isolated, strict=True) for walk in face]
     corners = {frozenset(walk): walk for walk in walks}

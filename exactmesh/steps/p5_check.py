@@ -14,7 +14,7 @@ from exactmesh.measure.mfs import minimum_feature_size
 from exactmesh.measure.verdict import Tally, Verdict, failed
 from exactmesh.planar.cycles import directed_edges
 from exactmesh.planar.pslg import Edge, Pslg
-from exactmesh.steps.edge_chains import Misplaced, chain_sides, edge_chains
+from exactmesh.steps.edge_chains import Chains, Misplaced, chain_sides, edge_chains
 from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
 
 _ONE = mpq(1)
@@ -53,7 +53,7 @@ def check_boundary(shape: Shape, p4: Offset, chords: Trapezoidation, tube: Patch
         return failed(0, "a chord ends inside its edge", edge_of_p4=chains.edge_of_q, vertex=chains.vertex)
     if tube.on_edge:
         return failed(0, "the Tube records no vertex on P4", vertex=tube.on_edge[0][1])
-    wanted = {side[::-1] for side in chain_sides(chains)}
+    wanted = {(v, u) for u, v in chain_sides(chains).tolist()}
     wanted |= {(shape.origin[h], shape.origin[h ^ 1]) for walks in shape.faces for walk in walks for h in walk}
     owner, _ = directed_edges(tube.faces)
     odd = {side for side in owner if side[::-1] not in owner} ^ wanted
@@ -77,13 +77,13 @@ def _graph(p4: Offset, chords: Trapezoidation, points: Sequence[Point]) -> Pslg 
     chains = _chains(p4, chords, points)
     if isinstance(chains, Misplaced):
         return None
-    edges: set[Edge] = {(min(side), max(side)) for side in chain_sides(chains)}
+    edges: set[Edge] = {(min(side), max(side)) for side in chain_sides(chains).tolist()}
     for z in chords.trapezoids:
         for row in ((z.bl, *z.bottom, z.br), (z.tl, *z.top, z.tr)):
             edges |= {(min(side), max(side)) for side in pairwise(row) if side[0] != side[1]}
     return Pslg(p4.points + chords.points, tuple((u - p4.first, v - p4.first) for u, v in sorted(edges)))
 
 
-def _chains(p4: Offset, chords: Trapezoidation, points: Sequence[Point]) -> list[list[int]] | Misplaced:
+def _chains(p4: Offset, chords: Trapezoidation, points: Sequence[Point]) -> Chains | Misplaced:
     ends = range(chords.first, chords.first + len(chords.points))
     return edge_chains(p4, zip(chords.edge, ends, strict=True), points)

@@ -8,15 +8,21 @@ Gaps      neighbours on an edge of Q are at least 0.134 apart.
 """
 
 from collections.abc import Sequence
-from itertools import pairwise
 
+import numpy as np
+from gmpy2 import mpq
+
+from exactmesh.geometry.balls import Ints, exact_balls
+from exactmesh.geometry.columns import columns_of, indices
 from exactmesh.geometry.distance import distance_squared
+from exactmesh.geometry.face_columns import Corners, FaceColumns, features_squared, unpaired_sides
 from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
 from exactmesh.measure.verdict import Tally, Verdict, failed
-from exactmesh.planar.cycles import Side, directed_edges
+from exactmesh.planar.cycles import directed_edges
 from exactmesh.steps.constants import EDGE_GAP, FEATURE_SQUARED
-from exactmesh.steps.edge_chains import Misplaced, chain_sides, edge_chains
+from exactmesh.steps.edge_chains import Chains, Misplaced, chain_sides, edge_chains
+from exactmesh.steps.filtered_tally import FilteredTally, see_worst
 from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
 
 
@@ -25,25 +31,32 @@ def recorded_on_edges(chords: Trapezoidation, interior: Patch) -> list[tuple[int
     return [(edge, chords.first + i) for i, edge in enumerate(chords.edge)] + list(interior.on_edge)
 
 
-def check_interior_tiling(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point]) -> Verdict:
-    """Return whether the faces of the Interior tile the inside of Q; one instance a face."""
-    chains = edge_chains(offset, recorded_on_edges(chords, interior), points)
+def chains_of(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point]) -> Chains | Misplaced:
+    """Return the edges of Q cut at all vertices recorded on them."""
+    return edge_chains(offset, recorded_on_edges(chords, interior), points)
+
+
+def check_interior_tiling(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point],
+                          chains: Chains | Misplaced | None = None) -> Verdict:
+    """Return whether the faces of the Interior tile the inside of Q; one instance a face. `chains` saves time."""
+    chains = chains or chains_of(offset, chords, interior, points)
     if isinstance(chains, Misplaced):
-        return failed(0, "a foot lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
+        return _misplaced(chains)
     return _check_tiling(interior, chain_sides(chains), points)
 
 
 def check_tube_tiling(shape: Shape, offset: Offset, chords: Trapezoidation, interior: Patch, tube: Patch,
-                      points: Sequence[Point]) -> Verdict:
+                      points: Sequence[Point], chains: Chains | Misplaced | None = None) -> Verdict:
     """Return whether the faces of the Tube tile what lies between P and Q; one instance a face."""
-    chains = edge_chains(offset, recorded_on_edges(chords, interior), points)
+    chains = chains or chains_of(offset, chords, interior, points)
     if isinstance(chains, Misplaced):
-        return failed(0, "a foot lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
-    boundary = {side[::-1] for side in chain_sides(chains)}
-    p_sides = {(shape.origin[h], shape.origin[h ^ 1]) for walks in shape.faces for walk in walks for h in walk}
+        return _misplaced(chains)
+    origin = np.array(shape.origin, np.int64)
+    along = indices(h for walks in shape.faces for walk in walks for h in walk)
+    p_sides = np.column_stack((origin[along], origin[along ^ 1]))
     # An edge with the Tube on both sides is in no boundary.
-    boundary |= {side for side in p_sides if side[::-1] not in p_sides}
-    return _check_tiling(tube, boundary, points)
+    outside = p_sides[~np.isin(along, along ^ 1)]
+    return _check_tiling(tube, np.concatenate((chain_sides(chains)[:, ::-1], outside)), points)
 
 
 def check_feature(patch: Patch, points: Sequence[Point]) -> Verdict:
@@ -52,11 +65,24 @@ def check_feature(patch: Patch, points: Sequence[Point]) -> Verdict:
     A face that is no triangle counts as zero.
     """
     tally = Tally("feature size >= g/5", ">=", FEATURE_SQUARED)
-    for cycle in patch.faces:
-        corners = corners_of(points, cycle)
-        value = 0 * FEATURE_SQUARED if isinstance(corners, NotTriangle) else face_feature_squared(
-            points, cycle, corners)
-        tally.see(value, face=list(cycle), at=str(points[cycle[0]]) if cycle else "")
+    columns, faces = columns_of(points), FaceColumns(patch.faces)
+    corners = Corners(columns, faces)
+
+    def exactly(face: int) -> mpq:
+        cycle = patch.faces[face]
+        places = corners_of(points, cycle)
+        return mpq(0) if isinstance(places, NotTriangle) else face_feature_squared(points, cycle, places)
+
+    def place(face: int) -> dict[str, object]:
+        cycle = patch.faces[face]
+        return {"face": list(cycle), "at": str(points[cycle[0]]) if cycle else ""}
+
+    least = FilteredTally(tally, "face feature")
+    least.offer(corners.bad, exact_balls(np.zeros(len(corners.bad))))
+    for numbers, values in features_squared(columns, faces, corners):
+        good = ~np.isin(numbers, corners.bad)
+        least.offer(numbers[good], values[good])
+    least.see(exactly, place, faces.count)
     return tally.verdict()
 
 
@@ -69,28 +95,52 @@ def check_caps(offset: Offset, chords: Trapezoidation, interior: Patch) -> Verdi
     return Verdict(len(recorded), True)
 
 
-def check_edge_gaps(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point]) -> Verdict:
+def check_edge_gaps(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point],
+                    chains: Chains | Misplaced | None = None) -> Verdict:
     """Return the verdict on the least squared distance of neighbours on edges of Q with recorded vertices."""
-    tally = Tally("neighbours >= 0.134 apart", ">=", EDGE_GAP**2)
-    chains = edge_chains(offset, recorded_on_edges(chords, interior), points)
+    chains = chains or chains_of(offset, chords, interior, points)
     if isinstance(chains, Misplaced):
-        return failed(0, "a foot lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
-    for k, chain in enumerate(chains):
-        for u, v in pairwise(chain if len(chain) > 2 else ()):
-            tally.see(distance_squared(points[u], points[v]), edge_of_q=k, vertices=[u, v], at=str(points[u]))
+        return _misplaced(chains)
+    tally = Tally("neighbours >= 0.134 apart", ">=", EDGE_GAP**2)
+    columns = columns_of(points)
+    edge = indices(k for k, chain in enumerate(chains) if len(chain) > 2 for _ in chain[1:])
+    first = indices(v for chain in chains if len(chain) > 2 for v in chain[:-1])
+    last = indices(v for chain in chains if len(chain) > 2 for v in chain[1:])
+
+    def exactly(i: int) -> mpq:
+        return distance_squared(points[first[i]], points[last[i]])
+
+    def place(i: int) -> dict[str, object]:
+        u, v = int(first[i]), int(last[i])
+        return {"edge_of_q": int(edge[i]), "vertices": [u, v], "at": str(points[u])}
+
+    see_worst(tally, "edge gap", columns.distances_squared(first, last), exactly, place)
     return tally.verdict()
 
 
-def _check_tiling(patch: Patch, boundary: set[Side], points: Sequence[Point]) -> Verdict:
+def _misplaced(chains: Misplaced) -> Verdict:
+    return failed(0, "a foot lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
+
+
+def _check_tiling(patch: Patch, boundary: Ints, points: Sequence[Point]) -> Verdict:
+    """Return whether the faces are triangles and the directed edges without a twin are those of `boundary`.
+
+    Arrays decide that all is well; when it is not, the offender is looked for one by one.
+    """
     count = len(patch.faces)
-    for number, cycle in enumerate(patch.faces):
-        corners = corners_of(points, cycle)
-        if isinstance(corners, NotTriangle):
-            return failed(number + 1, "faces are triangles", face=list(cycle), vertex=corners.vertex,
-                          reason=corners.reason)
-    owner, repeated = directed_edges(patch.faces)
-    if repeated:
+    columns, faces = columns_of(points), FaceColumns(patch.faces)
+    for face in Corners(columns, faces).bad[:1].tolist():
+        cycle = patch.faces[face]
+        reason = corners_of(points, cycle)
+        if isinstance(reason, NotTriangle):
+            return failed(face + 1, "faces are triangles", face=list(cycle), vertex=reason.vertex,
+                          reason=reason.reason)
+    unpaired = unpaired_sides(faces, len(points))
+    if unpaired is None:
+        _, repeated = directed_edges(patch.faces)
         return failed(count, "faces do not overlap", edge=list(repeated[0][0]))
-    if odd := {side for side in owner if side[::-1] not in owner} ^ boundary:
-        return failed(count, "the faces' boundaries add up to the region's", edge=list(min(odd)))
+    odd = np.setxor1d(unpaired, boundary[:, 0] * len(points) + boundary[:, 1])
+    if odd.size:
+        edge = divmod(int(odd[0]), len(points))
+        return failed(count, "the faces' boundaries add up to the region's", edge=list(edge))
     return Verdict(count, True)

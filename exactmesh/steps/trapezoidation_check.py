@@ -10,37 +10,51 @@ I5'      a corner that is no vertex of Q is on an edge of Q that goes on for at 
 """
 
 from collections.abc import Callable, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 
+import numpy as np
 from gmpy2 import mpq
 
+from exactmesh.geometry.balls import Bools, Ints, exact_balls
+from exactmesh.geometry.columns import Columns, Rows, columns_of, indices
+from exactmesh.geometry.decisions import note
 from exactmesh.geometry.distance import segment_distance_squared
+from exactmesh.geometry.face_columns import FaceColumns, unpaired_sides
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import orientation
 from exactmesh.measure.verdict import Tally, Verdict, failed
 from exactmesh.planar.cycles import directed_edges
 from exactmesh.steps.constants import GAP, LEVEL, SEPARATION
 from exactmesh.steps.edge_chains import Misplaced, chain_sides, edge_chains
+from exactmesh.steps.filtered_tally import see_worst
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
 
 
 def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point]) -> Verdict:
-    """Return whether the trapezoids tile the inside of Q; one instance a trapezoid."""
+    """Return whether the trapezoids tile the inside of Q; one instance a trapezoid.
+
+    Arrays decide that all is well; when it is not, the offender is looked for one by one.
+    """
     chains = edge_chains(offset, zip(chords.edge, _chord_ends(chords), strict=True), points)
     if isinstance(chains, Misplaced):
         return failed(0, "a chord end lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
     count = len(chords.trapezoids)
     following = offset.successors()
-    for number, z in enumerate(chords.trapezoids):
-        legs = [(offset.points[e], offset.points[following[e]]) for e in (z.left, z.right)]
+    for number in np.flatnonzero(~_are_sound(offset, chords, columns_of(points))).tolist():
+        z = chords.trapezoids[number]
+        legs = [(points[offset.first + e], points[offset.first + following[e]]) for e in (z.left, z.right)]
         if (clause := _broken(z, legs, points, offset.height)) is not None:
             return failed(number + 1, clause, trapezoid=number, at=str(points[z.bl]))
-    owner, repeated = directed_edges(_cycle(z) for z in chords.trapezoids)
-    if repeated:
+    cycles = [_cycle(z) for z in chords.trapezoids]
+    unpaired = unpaired_sides(FaceColumns(cycles), len(points))
+    if unpaired is None:
+        _, repeated = directed_edges(cycles)
         return failed(count, "trapezoids do not overlap", trapezoid=repeated[0][1], edge=list(repeated[0][0]))
-    outside = {side for side in owner if side[::-1] not in owner}
-    if odd := outside ^ chain_sides(chains):
-        return failed(count, "the trapezoids' boundaries add up to Q", edge=list(min(odd)))
+    sides = chain_sides(chains)
+    odd = np.setxor1d(unpaired, sides[:, 0] * len(points) + sides[:, 1])
+    if odd.size:
+        edge = divmod(int(odd[0]), len(points))
+        return failed(count, "the trapezoids' boundaries add up to Q", edge=list(edge))
     return Verdict(count, True)
 
 
@@ -48,38 +62,102 @@ def check_gaps(offset: Offset, chords: Trapezoidation, points: Sequence[Point]) 
     """Return the verdicts on the least squared gap along a side and the least squared distance to a leg (I4)."""
     gaps = Tally("gap to a T-vertex >= 0.15", ">=", GAP**2)
     legs = Tally("T-vertex to leg >= 0.0599", ">=", SEPARATION**2)
-    of_q = range(offset.first, chords.first)
+    first, end = offset.first, chords.first
+    gap: list[tuple[int, int, int]] = []
+    leg: list[tuple[int, int, int, int]] = []
     for number, z in enumerate(chords.trapezoids):
         for left, inner, right in ((z.bl, z.bottom, z.br), (z.tl, z.top, z.tr)):
-            row = [left, *inner, right] if inner else []
-            for u, v in pairwise(row):
-                if u in of_q and v in of_q:
-                    gaps.see((points[v].x - points[u].x) ** 2, trapezoid=number, vertices=[u, v], at=str(points[u]))
-            for v in inner:
-                for a, b in ((z.bl, z.tl), (z.br, z.tr)):
-                    squared = segment_distance_squared(points[v], points[a], points[b])
-                    legs.see(squared, trapezoid=number, vertex=v, at=str(points[v]))
+            if inner:
+                gap += [(number, u, v) for u, v in pairwise((left, *inner, right)) if first <= u < end > v >= first]
+                leg += [(number, v, a, b) for v in inner for a, b in ((z.bl, z.tl), (z.br, z.tr))]
+    columns = columns_of(points)
+    _, u, v = _table(gap, 3)
+    widths = (columns.x[v] - columns.x[u]).squared()
+    see_worst(gaps, "chord gap", widths, lambda i: (points[v[i]].x - points[u[i]].x) ** 2, lambda i: {
+        "trapezoid": gap[i][0], "vertices": list(gap[i][1:]), "at": str(points[gap[i][1]])})
+    _, t, a, b = _table(leg, 4)
+    see_worst(legs, "chord leg", columns.segment_distances_squared(t, a, b),
+              lambda i: segment_distance_squared(points[t[i]], points[a[i]], points[b[i]]), lambda i: {
+                  "trapezoid": leg[i][0], "vertex": leg[i][1], "at": str(points[leg[i][1]])})
     return gaps.verdict(), legs.verdict()
 
 
 def check_touch(offset: Offset, chords: Trapezoidation) -> Verdict:
     """Return whether each horizontal side holds a vertex of Q (I5); the worst is the least number of them."""
     tally = Tally("vertices of Q on a side >= 1", ">=", mpq(1))
-    of_q = range(offset.first, chords.first)
-    for number, z in enumerate(chords.trapezoids):
-        for side in ((z.bl, *z.bottom, z.br), (z.tl, *z.top, z.tr)):
-            tally.see(mpq(sum(v in of_q for v in side)), trapezoid=number)
+    rows = Rows([row for z in chords.trapezoids for row in _sides(z)])
+    if len(rows):
+        is_of_q = (rows.flat >= offset.first) & (rows.flat < chords.first)
+        held = np.add.reduceat(is_of_q, rows.start[:-1], dtype=np.int64)
+        see_worst(tally, "vertices on a side", exact_balls(held.astype(np.float64)), lambda i: mpq(int(held[i])),
+                  lambda i: {"trapezoid": i // 2})
     return tally.verdict()
 
 
 def check_clearance(offset: Offset, chords: Trapezoidation, points: Sequence[Point]) -> Verdict:
     """Return the verdict on how far, vertically, edges of Q go on beyond chord ends (I5'); one instance an end."""
     tally = Tally("the edge goes on for g or more", ">=", LEVEL)
-    following = offset.successors()
-    for v, edge in zip(_chord_ends(chords), chords.edge, strict=True):
-        for end in (edge, following[edge]):
-            tally.see(abs(offset.points[end].y - points[v].y), vertex=v, edge_of_q=edge, at=str(points[v]))
+    columns = columns_of(points)
+    edge = indices(chords.edge)
+    end = np.column_stack((edge, indices(offset.successors())[edge])).ravel() + offset.first
+    v = np.repeat(np.arange(len(edge)) + chords.first, 2)
+
+    def place(i: int) -> dict[str, object]:
+        return {"vertex": int(v[i]), "edge_of_q": chords.edge[i // 2], "at": str(points[v[i]])}
+
+    see_worst(tally, "clearance", (columns.y[end] - columns.y[v]).sizes(),
+              lambda i: abs(offset.points[end[i] - offset.first].y - points[v[i]].y), place)
     return tally.verdict()
+
+
+def _table(rows: Sequence[tuple[int, ...]], width: int) -> Ints:
+    """Return rows of numbers as columns."""
+    return indices(chain.from_iterable(rows), width * len(rows)).reshape(-1, width).T
+
+
+def _sides(z: Trapezoid) -> tuple[Cycle, Cycle]:
+    """Return the vertices on the bottom and on the top from left to right."""
+    return (z.bl, *z.bottom, z.br), (z.tl, *z.top, z.tr)
+
+
+def _are_sound(offset: Offset, chords: Trapezoidation, points: Columns) -> Bools:
+    """Return which trapezoids are sure to break no clause of the definition."""
+    edges, corners = (_table([(z.left, z.right) for z in chords.trapezoids], 2),
+                      _table([(z.bl, z.br, z.tl, z.tr) for z in chords.trapezoids], 4))
+    bl, br, tl, tr = corners
+    sides = [_sides(z) for z in chords.trapezoids]
+    height = {level: offset.height(level) for z in chords.trapezoids for level in (z.low, z.high)}
+    sound: Bools = ((bl != br) | (tl != tr)) & np.fromiter((
+        z.low < z.high and all(points[v].y == height[z.low] for v in bottom)
+        and all(points[v].y == height[z.high] for v in top)
+        for z, (bottom, top) in zip(chords.trapezoids, sides, strict=True)), np.bool_, len(sides))
+    rows = Rows([row for both in sides for row in both])
+    row = np.repeat(np.arange(len(rows)), rows.size)
+    # Neighbours within rows; a side of two equal corners is an apex.
+    u = np.delete(np.arange(len(rows.flat)), rows.start[1:] - 1)
+    u = u[(rows.size[row[u]] > 2) | (rows.flat[u] != rows.flat[u + 1])]
+    order = (points.x[rows.flat[u + 1]] - points.x[rows.flat[u]]).signs()
+    for i in np.flatnonzero(order <= 0).tolist():
+        if points[rows.flat[u[i]]].x >= points[rows.flat[u[i] + 1]].x:
+            sound[row[u[i]] // 2] = False
+    note("order on a side", len(u), int((order == 0).sum()))
+    for leg, ends in zip(edges, ((bl, tl), (br, tr)), strict=True):
+        for v in ends:
+            sound &= _is_on_edge(offset, chords, points, leg, v)
+    return sound
+
+
+def _is_on_edge(offset: Offset, chords: Trapezoidation, points: Columns, edge: Ints, v: Ints) -> Bools:
+    """Return whether vertices lie on the lines of edges of Q: those recorded there do, by the check of the chains."""
+    following = indices(offset.successors())
+    recorded = np.append(indices(chords.edge), -1)
+    is_end = (v >= chords.first) & (v < chords.first + len(chords.edge))
+    known: Bools = np.where(is_end, recorded[np.where(is_end, v - chords.first, -1)] == edge,
+                     (v == offset.first + edge) | (v == offset.first + following[edge]))
+    for i in np.flatnonzero(~known).tolist():
+        a, b = points[offset.first + edge[i]], points[offset.first + following[edge[i]]]
+        known[i] = orientation(a, b, points[v[i]]) == 0
+    return known
 
 
 def _chord_ends(chords: Trapezoidation) -> range:
