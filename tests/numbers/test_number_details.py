@@ -2,6 +2,9 @@
 
 import itertools
 import math
+import pickle
+from collections.abc import Callable, Iterator
+from fractions import Fraction
 from typing import Any
 
 import gmpy2
@@ -9,8 +12,10 @@ import pytest
 from gmpy2 import mpfr, mpq, mpz
 
 from exactmesh.errors import FormatError
-from exactmesh.numbers import radicals
+from exactmesh.numbers import algebraic, nested, radicals, separation, surd_sum
+from exactmesh.numbers.algebraic import Real, sqrt, total
 from exactmesh.numbers.interval import Interval, sign_by_widening, sign_of
+from exactmesh.numbers.nested import Nested, Root
 from exactmesh.numbers.radicals import MAX_RANK, ONE, TooManyRoots
 from exactmesh.numbers.rational import (
     decimal_text,
@@ -20,6 +25,9 @@ from exactmesh.numbers.rational import (
     sqrt_below,
     sqrt_text,
 )
+from exactmesh.numbers.root import exact_text, number_text, root_expression, root_text
+from exactmesh.numbers.separation import Expr, Undecided, separation_bits
+from exactmesh.numbers.surd_sum import SurdSum
 
 
 class TestRational:
@@ -250,3 +258,363 @@ class TestRadicals:
             radicals.rank(rows)
         assert caught.value.limit == 10
         assert radicals.rank([*rows[:10], radicals.radical(mpz(math.prod(primes[:10])))[1]]) == 10
+
+
+def surds(*terms: tuple[int | Fraction, int]) -> SurdSum:
+    """Return the sum of c * sqrt(n)."""
+    return surd_sum.total(SurdSum.root_of(mpq(n)).scaled(mpq(c)) for c, n in terms)
+
+
+def same(x: Any, y: Any) -> bool:
+    return not x - y
+
+
+class TestSurdSums:
+    ONE_OF_EACH = (surds(), surds((3, 1)), surds((Fraction(-2, 3), 2)), surds((1, 1), (1, 2)), surds((1, 2), (1, 3)),
+                   surds((2, 1), (-1, 3), (Fraction(1, 2), 6)), surds((1, 6151 * 6163), (2, 6151)))
+
+    def test_rationals_and_roots(self) -> None:
+        assert surds().rational() == 0 and not surds() and surds((3, 1)).rational() == 3
+        for x in (surds((1, 2)), surds((1, 1), (1, 2)), surds((1, 2), (1, 3))):
+            assert x.rational() is None and x
+        assert SurdSum.root_of(mpq(0)).rational() == 0 and SurdSum.root_of(mpq(9, 4)).rational() == mpq(3, 2)
+        assert same(SurdSum.root_of(mpq(8, 9)), surds((Fraction(2, 3), 2)))
+        assert SurdSum.of(mpq(0)).terms == {} and SurdSum.of(mpq(5)).rational() == 5
+
+    def test_operations_against_digits(self) -> None:
+        def digits(x: SurdSum) -> mpq:
+            return mpq(x.enclosure(400).low)
+
+        for x, y in itertools.product(self.ONE_OF_EACH, repeat=2):
+            a, b = digits(x), digits(y)
+            for found, expected in ((x + y, a + b), (x - y, a - b), (x * y, a * b), (-x, -a)):
+                assert abs(digits(found) - expected) < mpq(1, 2**300)
+            assert x.sign() == gmpy2.sign(a if abs(a) > mpq(1, 2**300) else mpq(0))
+            assert same(x.scaled(mpq(3, 7)), x * surds((Fraction(3, 7), 1))) and not x.scaled(mpq(0))
+            if x:
+                assert same(x * x.inverse(), surds((1, 1))) and same((x * x).inverse() * x, x.inverse())
+            root = (x * x).root()
+            assert root is not None and (same(root, x) or same(root, -x))
+        for x in self.ONE_OF_EACH:
+            for operation in ("__add__", "__sub__", "__mul__"):
+                assert getattr(x, operation)("x") is NotImplemented
+
+    @pytest.mark.parametrize("square", [
+        surds((-1, 1)), surds((1, 1), (-1, 2)), surds((1, 1), (1, 2)), surds((3, 1), (1, 2), (1, 3)), surds((1, 2)),
+        surds((-5, 1), (-2, 6)), surds((5, 1), (2, 5))])
+    def test_what_has_no_root_in_the_field(self, square: SurdSum) -> None:
+        assert square.root() is None
+
+    def test_roots_of_sums(self) -> None:
+        for x in (surds((1, 2), (1, 3)), surds((1, 2), (-1, 3)), surds((1, 1), (2, 5)), surds((3, 2), (1, 6), (1, 7)),
+                  surds((1, 2), (1, 3), (1, 5), (1, 7)), surds((1, 6151 * 6163), (2, 6151))):
+            root = (x * x).root()
+            assert root is not None and (same(root, x) or same(root, -x))
+        with pytest.raises(ZeroDivisionError, match=r"^division by an exact zero$"):
+            surds().inverse()
+
+    def test_content_is_the_largest_rational_that_divides_all_coefficients(self) -> None:
+        assert surds().content() == 0
+        for terms, content in ((((6, 1),), 6), (((-6, 2), (9, 3)), 3), (((Fraction(4, 3), 1), (Fraction(6, 5), 2)),
+                                                                        Fraction(2, 15))):
+            assert surds(*terms).content() == content
+
+    def test_terms_are_written_by_their_radicands(self) -> None:
+        x = surds((5, 7), (-2, 3), (1, 1), (Fraction(1, 2), 10))
+        assert list(x.products()) == [(1, ()), (-2, ("sqrt(3)",)), (5, ("sqrt(7)",)), (mpq(1, 2), ("sqrt(10)",))]
+
+    def test_the_enclosure_of_a_rational_is_the_narrowest(self) -> None:
+        x = surds((Fraction(1, 3), 1)).enclosure(30)
+        assert gmpy2.next_above(x.low) == x.high and x.bits == 30
+        assert ends(surds().enclosure(30)) == (0, 0)
+        low, high = ends(surds((3, 2), (-1, 3)).enclosure(60))
+        assert 0 < high - low < mpq(1, 2**56)
+
+    def test_division_has_a_limit_of_ten_independent_roots(self) -> None:
+        primes = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31)
+        eleven = surds(*((1, p) for p in primes))
+        long = surds(*((1, n) for n in range(1, 2500)))
+        for x in (eleven, long):
+            assert len(x.terms) > MAX_RANK
+            for operation in (x.inverse, x.root):
+                with pytest.raises(TooManyRoots) as caught:
+                    operation()
+                assert caught.value.limit == 10
+        many_of_few = surds(*((1, math.prod(c)) for k in (1, 2) for c in itertools.combinations(primes[:5], k)))
+        assert len(many_of_few.terms) == 15 and same(many_of_few * many_of_few.inverse(), surds((1, 1)))
+
+    def test_hidden_squares_are_written_as_what_stands_there(self) -> None:
+        p, q = 2**61 - 1, 6151
+        x = surds((1, p * p * q * 6163), (1, q * 6163))
+        assert same(x, surds((p + 1, q * 6163))) and len(x.terms) == 1
+        assert not surds((1, p * p * q * 6163), (-p, q * 6163)) and not surds((p, q * 6163), (-1, p * p * q * 6163))
+
+
+R2, R3, R5 = (sqrt(n) for n in (2, 3, 5))
+DEEP = sqrt(2 + R2)
+
+
+class TestNested:
+    @pytest.mark.parametrize("x, text", [
+        (Real(), "0"), (Real(-3), "-3"), (Real(Fraction(-3, 4)), "-3/4"), (R2, "sqrt(2)"), (-R2, "-sqrt(2)"),
+        (R2 / 2, "sqrt(2)/2"), (-3 * R2 / 2, "-3*sqrt(2)/2"), (R3 + R2, "sqrt(2) + sqrt(3)"), (R2 - 1, "-1 + sqrt(2)"),
+        (1 - R2 - 2 * R3 / 7, "1 - sqrt(2) - 2*sqrt(3)/7"), (DEEP, "sqrt(2 + sqrt(2))"),
+        (R3 * DEEP / 5 - R2, "-sqrt(2) + sqrt(3)*sqrt(2 + sqrt(2))/5"),
+        (sqrt(1 + DEEP), "sqrt(1 + sqrt(2 + sqrt(2)))"), (sqrt(12 + 6 * R2), "sqrt(6)*sqrt(2 + sqrt(2))"),
+        (sqrt(Fraction(2, 3) + R2 / 3), "sqrt(3)*sqrt(2 + sqrt(2))/3"),
+        (DEEP * sqrt(1 + R3), "sqrt(1 + sqrt(3))*sqrt(2 + sqrt(2))"),
+        (sqrt(1 + R2) * sqrt(1 + R3) - sqrt(1 + R2), "-sqrt(1 + sqrt(2)) + sqrt(1 + sqrt(2))*sqrt(1 + sqrt(3))")])
+    def test_the_form_of_expressions(self, x: Real, text: str) -> None:
+        assert x.expression() == str(x) == text and repr(x) == f"Real({text})" and exact_text(x) == text
+        assert abs(eval(text, {"sqrt": math.sqrt}) - float(x.decimal(17))) < 1e-14
+
+    def test_roots_are_ordered_by_depth_and_then_by_text(self) -> None:
+        a, b, c = Root(surds((1, 1), (1, 2))), Root(surds((1, 1), (1, 3))), Root((1 + DEEP)._element)
+        assert (a.key, b.key) == ((1, "sqrt(1 + sqrt(2))"), (1, "sqrt(1 + sqrt(3))"))
+        assert c.key == (2, "sqrt(1 + sqrt(2 + sqrt(2)))") and c.inside == {Root((2 + R2)._element)}
+        assert a == Root(surds((1, 1), (1, 2))) and hash(a) == hash(Root(surds((1, 1), (1, 2)))) and a != b and a != "x"
+
+    def test_the_enclosure_of_a_root_is_that_of_the_bits_asked_for(self) -> None:
+        root = Root(surds((2, 1), (1, 2)))
+        for bits in (20, 20, 50, 20):
+            x = root.enclosure(bits)
+            assert x.bits == bits and mpq(1, 2 ** (bits + 4)) < mpq(x.high - x.low) < mpq(1, 2 ** (bits - 6))
+        assert root.enclosure(20) is root.enclosure(20)
+
+    def test_sums_and_products_of_values_with_different_roots(self) -> None:
+        values = [Real(3), R2, DEEP, sqrt(1 + R3), 1 + 2 * DEEP, R3 - sqrt(1 + R2), sqrt(1 + DEEP), DEEP * sqrt(1 + R3)]
+        for x, y in itertools.product(values, repeat=2):
+            a, b = (mpq(v.interval(300).low) for v in (x, y))
+            for found, expected in ((x + y, a + b), (x - y, a - b), (x * y, a * b), (x / y, a / b)):
+                assert abs(mpq(found.interval(300).low) - expected) < mpq(1, 2**200)
+            assert (x + y) - y == x and x * y / y == x and (x == y) == (x is y) and 0 - (-x) == x
+
+    def test_content_is_taken_out_of_a_root(self) -> None:
+        assert sqrt(12 + 6 * R2) / DEEP == sqrt(6) and sqrt(18 + 9 * R2) == 3 * DEEP
+        element = (2 * DEEP + 4 * R3)._element
+        assert element.content() == 2 and (6 * DEEP)._element.content() == 6
+        assert (DEEP / 3 + Fraction(1, 2))._element.content() == mpq(1, 6)
+        assert element.rational() is None
+
+    def test_roots_are_positive_and_of_the_right_field(self) -> None:
+        for x in (1 - DEEP, DEEP - 1, R2 * DEEP - 5, sqrt(1 + R3) * DEEP - 7, 3 + 2 * DEEP, R5 - R3 * DEEP):
+            assert sqrt(x * x) == abs(x) and sqrt(x * x) > 0
+            assert sqrt(x * x * (2 + R2)) == abs(x) * DEEP
+        assert nested.root_in((2 + R2)._element, ()) is None
+        assert nested.root_in((-R2)._element, ()) is None and nested.root_in(surds(), ()) is surd_sum.ZERO
+        deep = DEEP._element.root  # type: ignore[union-attr]
+        found = nested.root_in((2 + R2)._element, (deep,))
+        assert isinstance(found, Nested) and found.root == deep
+        for x in (3 + R2, 1 + DEEP):
+            assert nested.root_in(x._element, (deep,)) is None
+
+    def test_more_nested_roots_than_the_limit_are_too_many(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr(nested, "MAX_ROOTS", 2)
+        two = sqrt(1 + R2) + sqrt(1 + R3)
+        assert two - sqrt(1 + R2) == sqrt(1 + R3) and sqrt(two * two) == two
+        for operation in (lambda: two + sqrt(1 + R5), lambda: sqrt(two * 3 + 1)):
+            with pytest.raises(TooManyRoots) as caught:
+                operation()
+            assert caught.value.limit == 2
+
+    def test_fold_rebuilds_a_value(self) -> None:
+        for x in (Real(), Real(Fraction(2, 3)), R2 - R3 / 2, 3 + R2 * DEEP, sqrt(1 + DEEP) - R5):
+            def of(q: mpq) -> Real:
+                return Real(q)
+
+            assert x.fold(of, sqrt) == x
+
+    def test_pickles(self) -> None:
+        for x in (R2 + 1, 3 * DEEP - R3, sqrt(1 + DEEP)):
+            assert pickle.loads(pickle.dumps(x)) == x
+            assert str(pickle.loads(pickle.dumps(x)) - x + x) == str(x)
+        root = Root(surds((2, 1), (1, 2)))
+        assert pickle.loads(pickle.dumps(root)) == root
+
+
+class TestReal:
+    def test_refusals_say_what_they_refuse(self) -> None:
+        messages: list[tuple[Callable[[], object], type[Exception], str]] = [
+            (lambda: Real("1"), TypeError,  # type: ignore[arg-type]
+             "Real takes int, Fraction, mpz, mpq or Real, not str"),
+            (lambda: sqrt(R2 - R3), ValueError, "square root of the negative number -0.317837245196"),
+            (lambda: R2.rational(), ValueError, "1.41421356237 is irrational"),
+            (lambda: float(R2), TypeError,
+             "a Real is not rounded to a float silently: use enclosure(bits) or decimal(digits)"),
+            (lambda: R2 + 0.5, TypeError, "a float is not exact: use int, Fraction, mpz or mpq"),
+            (lambda: R2 + 1j, TypeError, "a complex is not exact: use int, Fraction, mpz or mpq"),
+            (lambda: R2 + mpfr(1), TypeError, "a mpfr is not exact: use int, Fraction, mpz or mpq"),
+            (lambda: R2 ** Fraction(1, 2), TypeError, "")]
+        for operation, error, message in messages:
+            with pytest.raises(error) as caught:
+                operation()
+            assert message in (str(caught.value), "")
+
+    def test_what_is_no_number_is_left_to_the_other_operand(self) -> None:
+        for name in ("add", "radd", "sub", "rsub", "mul", "rmul", "truediv", "eq", "lt", "le", "gt", "ge", "pow"):
+            if name != "rsub":
+                assert getattr(R2, f"__{name}__")("x") is NotImplemented, name
+
+    def test_order_is_strict_or_not(self) -> None:
+        near = R2 + Fraction(1, 10**40)
+        for x, y in ((R2, near), (Real(1), R2), (DEEP, R5), (-R2, Real())):
+            assert x < y and x <= y and y > x and y >= x and x != y
+            assert not (y < x or y <= x or x > y or x >= y or x == y)
+        for x, y in ((R2, sqrt(8) / 2), (Real(2), R2 * R2), (DEEP * DEEP, 2 + R2)):
+            assert x <= y and x >= y and x == y and not x < y and not x > y
+        assert R2 > 1 and R2 >= Fraction(7, 5) and R2 < mpq(3, 2) and R2 <= mpz(2) and 1 < R2 < 2  # noqa: SIM300
+        assert (R2 - R2).sign() == 0 and R2.sign() == 1 and (-R2).sign() == -1 and (1 - DEEP).sign() == -1
+
+    def test_powers(self) -> None:
+        x = 1 + R2
+        product = Real(1)
+        for k in range(12):
+            assert x**k == product and x**-k == 1 / product and x ** True == x
+            product = product * x
+        assert Real(0) ** 0 == 1 and R2**10 == 32
+
+    def test_floor_and_ceiling_are_integers(self) -> None:
+        for x, floor in ((Real(Fraction(7, 2)), 3), (Real(Fraction(-7, 2)), -4), (Real(3), 3), (R2, 1), (-R2, -2),
+                         (sqrt(10**60 + 1), 10**30), (-sqrt(10**60 + 1), -(10**30) - 1), (sqrt(10**60 - 1), 10**30 - 1)):
+            assert math.floor(x) == floor and type(math.floor(x)) is int
+            assert math.ceil(x) == floor + (x != floor) and type(math.ceil(x)) is int
+
+    def test_digits(self) -> None:
+        assert R2.decimal() == "1.41421356237" and Real(Fraction(1, 3)).decimal() == "0.333333333333"
+        assert R2.decimal(1) == "1" and (-R3).decimal(3) == "-1.73"
+        assert sqrt(2 + R2).decimal(
+            30) == "1.84775906502257351225636637879"
+        assert number_text(R2) == "1.41421356237" and number_text(mpq(1, 3)) == "0.333333333333"
+        assert number_text(R2, 3) == "1.41" and number_text(mpq(1, 3), 3) == "0.333"
+        assert (sqrt(10**200 + 1) - 10**100).decimal(3) == "5e-101"
+
+    def test_enclosures_are_as_narrow_as_asked_and_no_rational_needs_one(self) -> None:
+        for x in (R2, -DEEP, R2 - Fraction(1414213562, 10**9), sqrt(10**80 + 1) - 10**40):
+            for bits in (1, 53, 200):
+                low, high = x.enclosure(bits)
+                assert low < x < high and (high - low) * 2**bits <= min(abs(low), abs(high)) and low * high > 0
+            low, high = x.enclosure()
+            assert (high - low) * 2**53 <= min(abs(low), abs(high))
+        assert Real(5).enclosure() == (5, 5) and Real(5).is_rational() and not R2.is_rational()
+
+    def test_the_first_interval_is_kept(self) -> None:
+        x = R2 + R3
+        assert x.interval() is x.interval(64) and x.interval(65) is not x.interval(65)
+        assert x.interval().bits == 64 and x.interval(65).bits == 65 and x.interval(32).bits == 32
+
+    def test_hashes(self) -> None:
+        assert hash(Real(3)) == hash(3) == hash(sqrt(9)) and hash(Real(Fraction(1, 3))) == hash(Fraction(1, 3))
+        values = [sqrt(n) + m for n in (2, 3, 5, 7) for m in range(-9, 10)]
+        assert len({hash(x) for x in values}) == len(values)
+        assert hash(R2 + R3) == hash(sqrt(5 + 2 * sqrt(6)))
+        for value in (mpq(1, 3), mpq(-7, 5), mpq(10**30, 7), mpq(1, 10**30), mpq(1), mpq(-1)):
+            f, e = algebraic._leading_bits(value)
+            assert f == math.floor(value * mpq(2) ** e) and abs(f).bit_length() in (64, 65) and type(f) is int
+
+    def test_sums_of_many(self) -> None:
+        assert total([]) == 0 and total([R2]) == R2 and total([R2, DEEP, R3, DEEP, Real(1)]) == R2 + R3 + 2 * DEEP + 1
+        assert total(iter([DEEP, -DEEP])) == 0
+
+    def test_numbers_on_the_left(self) -> None:
+        for q in (3, Fraction(3, 2), mpq(3, 2), mpz(3)):
+            assert q + R2 == R2 + q and q - R2 == -(R2 - q) and q * R2 == R2 * q and (q / R2) * R2 == q
+            assert R2 - q + q == R2 and R2 / q * q == R2
+        with pytest.raises(ZeroDivisionError):
+            1 / Real(0)
+
+    def test_signs_and_absolute_values(self) -> None:
+        assert +R2 is R2 and abs(R2) is R2 and abs(-R2) == R2 and abs(Real()) == 0 and bool(R2) and not Real()
+
+
+class TestRootTexts:
+    def test_exact_texts_of_roots(self) -> None:
+        assert exact_text(mpq(3, 4)) == "3/4" and exact_text(R2 / 2) == "sqrt(2)/2"
+        assert root_expression(R2) == "sqrt(sqrt(2))" and root_expression(sqrt(4)) == "sqrt(2)"
+        assert root_expression(Real(Fraction(9, 4))) == "3/2" and root_expression(mpq(9, 2)) == "sqrt(9/2)"
+        assert root_expression(mpq(2, 9)) == "sqrt(2/9)"
+
+    def test_decimals_of_roots(self) -> None:
+        assert root_text(mpq(2)) == "1.41421356237" and root_text(mpq(2), 3) == "1.41"
+        assert root_text(R2) == "1.189207115" and root_text(R2, 4) == "1.189" and root_text(R2, 12) == "1.189207115"
+        assert root_text(R2, 30) == "1.18920711500272106671749997056"
+        assert root_text(Real()) == "0" and root_text(Real(4)) == "2"
+        assert root_text(sqrt(10**40 + 1) - 10**20, 5) == "7.0711e-11"
+
+
+class TestSeparation:
+    def test_the_bounds_of_the_table(self) -> None:
+        def logs(x: Expr) -> tuple[int, int]:
+            return x.log_u, x.log_l
+
+        five, third, big = Expr(5), Expr(Fraction(-1, 3)), Expr(mpq(1000, 7))
+        assert (logs(five), logs(third), logs(big)) == ((3, 0), (1, 2), (10, 3))
+        assert logs(five + third) == (1 + max(3 + 2, 0 + 1), 2) == logs(five - third)
+        assert logs(third + big) == (1 + max(1 + 3, 2 + 10), 5) == logs(big - third)
+        assert logs(third * big) == (11, 5) and logs(third / big) == (1 + 3, 2 + 10) and logs(five / third) == (5, 1)
+        assert logs(big.sqrt()) == (7, 3) and logs(third.sqrt()) == (1, 2) and logs(five.sqrt()) == (2, 0)
+        assert logs(Expr(mpq(1, 1000)).sqrt()) == (1, 6) and logs(Expr(mpq(3, 2)).sqrt()) == (2, 2)
+        assert separation_bits(big, 0) == 3 and separation_bits(big, 1) == 13 and separation_bits(big, 3) == 73
+
+    def test_operations_have_their_values(self) -> None:
+        values = [Fraction(-3), Fraction(0), Fraction(1, 2), Fraction(7, 3)]
+        for p, q in itertools.product(values, repeat=2):
+            x, y = Expr(p), Expr(q)
+            for found, value in ((x + y, p + q), (x - y, p - q), (x * y, p * q), (-x, -p), (x + q, p + q),
+                                 (p + y, p + q), (x - q, p - q), (p - y, p - q), (x * q, p * q), (p * y, p * q)):
+                assert found.sign() == (value > 0) - (value < 0) and (found - value).sign() == 0
+            if q:
+                for found in (x / y, p / y, x / q):
+                    assert (found - p / q).sign() == 0
+        assert (Expr(2).sqrt() * Expr(2).sqrt() - 2).sign() == 0 and Expr(0).sqrt().sign() == 0
+
+    def test_refusals(self) -> None:
+        two = Expr(2).sqrt()
+        cases: list[tuple[Callable[[], object], type[Exception], str]] = [
+            (lambda: (1 / (two * two - 2)).sign(), ZeroDivisionError, "division by an expression that is zero"),
+            (lambda: (1 / Expr(0)).sign(), ZeroDivisionError, "division by an expression that is zero"),
+            (lambda: (two - 3).sqrt().sign(), ValueError, "square root of a negative expression"),
+            (lambda: two + 0.5, TypeError, "an Expr is made of int, Fraction or mpq, not float"),
+            (lambda: two + "x", TypeError, "an Expr is made of int, Fraction or mpq, not str"),
+            (lambda: (two - 2**70).sqrt().sign(max_bits=63), Undecided, "the sign is not decided at 63 bits")]
+        for operation, error, message in cases:
+            with pytest.raises(error) as caught:
+                operation()
+            assert str(caught.value) == message
+
+    def test_bits_are_doubled_up_to_the_limit(self) -> None:
+        x = Expr(10**200 + 1).sqrt() - 10**100
+        for limit in (64, 512, 1023):
+            with pytest.raises(Undecided) as caught:
+                x.sign(max_bits=limit)
+            assert caught.value.bits == limit
+        assert x.sign(max_bits=1024) == x.sign() == 1
+        assert Expr(2).sqrt().sign(max_bits=64) == 1 and (1 / x).sign() == 1 and x.sqrt().sign() == 1
+
+    @pytest.fixture
+    def counted(self, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[int]]:
+        """Collect the numbers of roots for which the bound is asked."""
+        seen: list[int] = []
+
+        def watched(node: Expr, roots: int) -> int:
+            seen.append(roots)
+            return separation_bits(node, roots)
+
+        monkeypatch.setattr(separation, "separation_bits", watched)
+        yield seen
+
+    def test_each_root_counts_once(self, counted: list[int]) -> None:
+        two, again, three = Expr(2).sqrt(), Expr(2).sqrt(), Expr(3).sqrt()
+        deep = Expr(2) + two
+        for x, roots in ((two - again, 1), (two * three - Expr(6).sqrt(), 3), (deep.sqrt() - deep.sqrt(), 2),
+                         (deep.sqrt() - (Expr(2) + two).sqrt(), 3), (Expr(mpq(1, 2)).sqrt() - two / 2, 2),
+                         (Expr(0) * 1, 0)):
+            counted.clear()
+            assert x.sign() == 0 and set(counted) == {roots}
+
+    def test_zero_divisors_and_zero_radicands_are_seen_at_any_depth(self) -> None:
+        two = Expr(2).sqrt()
+        zero = two * two - 2
+        assert (zero.sqrt() + 1).sign() == 1 and (1 - zero.sqrt() * 5).sign() == 1
+        tiny = Expr(10**60 + 1).sqrt() - 10**30
+        assert (1 / tiny - 10**29).sign() == 1 and (tiny.sqrt() - mpq(1, 10**16)).sign() == 1
+        assert ((two - 1) / tiny).sign() == 1 and ((1 - two) / tiny).sign() == -1
