@@ -24,12 +24,12 @@ from collections.abc import Callable, Sequence
 from itertools import islice
 
 import numpy as np
-from gmpy2 import mpq
+from gmpy2 import mpq, sign
 from numpy.typing import NDArray
 
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point
-from exactmesh.geometry.predicates import is_ahead, orientation
+from exactmesh.geometry.predicates import is_ahead
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -70,7 +70,7 @@ class FixedPoints:
     def orientations(self, i: Ints, j: Ints, k: Ints) -> NDArray[np.int8]:
         """Return `exactmesh.geometry.predicates.orientation` of the points i, j, k, elementwise."""
         (ax, ay), (bx, by) = self.differences(i, j), self.differences(i, k)
-        return self._signs(ax, by, -ay, bx, (i, j, k), orientation, "orientation")
+        return self._signs(ax, by, -ay, bx, (i, j, k), _turn, "orientation")
 
     def are_ahead(self, i: Ints, j: Ints, k: Ints) -> NDArray[np.bool_]:
         """Return `exactmesh.geometry.predicates.is_ahead` of the points i, j, k, elementwise."""
@@ -158,6 +158,8 @@ class TurnFilter:
 
     def _closer(self, i: int, j: int, k: int) -> int:
         self.second += 1
+        if i == j or j == k or k == i:
+            return 0
         columns = self._columns
         xh, xl, yh, yl = columns.x_high, columns.x_low, columns.y_high, columns.y_low
         a, b = float((xh[j] - xh[i]) + (xl[j] - xl[i])), float((yh[k] - yh[i]) + (yl[k] - yl[i]))
@@ -169,12 +171,26 @@ class TurnFilter:
             return (determinant > 0) - (determinant < 0)
         self.third += 1
         points = columns.points
-        return orientation(points[i], points[j], points[k])
+        return _turn(points[i], points[j], points[k])
 
     def note(self) -> None:
         """Add the counts since the last time to those of `exactmesh.geometry.decisions`."""
         note("sweep orientation", self.asked, self.third)
         self.asked = self.second = self.third = 0
+
+
+def _turn(a: Point, b: Point, c: Point) -> int:
+    """Return `exactmesh.geometry.predicates.orientation` of the points, without a single common divisor.
+
+    Each difference is a numerator over the product of two denominators; the determinant is multiplied by all of them.
+    """
+    (ax, ay), (bx, by), (cx, cy) = a, b, c
+    axd, ayd, bxd, byd, cxd, cyd = (ax.denominator, ay.denominator, bx.denominator, by.denominator, cx.denominator,
+                                    cy.denominator)
+    axn, ayn = ax.numerator, ay.numerator
+    first = (bx.numerator * axd - axn * bxd) * (cy.numerator * ayd - ayn * cyd) * (byd * cxd)
+    second = (by.numerator * ayd - ayn * byd) * (cx.numerator * axd - axn * cxd) * (bxd * cyd)
+    return int(sign(first - second))
 
 
 def _bits_of_unit(xs: Sequence[mpq], ys: Sequence[mpq]) -> tuple[int, bool]:

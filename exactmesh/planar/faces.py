@@ -13,7 +13,7 @@ from exactmesh.errors import GeometryError
 from exactmesh.geometry.point import Point, cross, minus
 from exactmesh.planar.half_edges import HalfEdges, link, outgoing, walks
 from exactmesh.planar.pslg import Pslg
-from exactmesh.planar.validate import Below, validate
+from exactmesh.planar.validate import Swept, swept
 
 
 class HoleOutside(GeometryError):
@@ -62,9 +62,11 @@ def subdivide(pslg: Pslg) -> Subdivision:
 
     Raises the errors of `exactmesh.planar.validate.validate`, and `HoleOutside`.
     """
-    below = validate(pslg)
-    half_edges = link(pslg.edges, _rotation(pslg))
-    return Subdivision(pslg, half_edges, _faces(pslg, half_edges, below))
+    sweep = swept(pslg)
+    half_edges = link(pslg.edges, _rotation(pslg, sweep))
+    faces = _faces(pslg, half_edges, sweep)
+    sweep.turns.note()
+    return Subdivision(pslg, half_edges, faces)
 
 
 def domain_of(pslg: Pslg) -> Subdivision:
@@ -77,32 +79,27 @@ def domain_of(pslg: Pslg) -> Subdivision:
     return subdivision
 
 
-def _rotation(pslg: Pslg) -> list[list[int]]:
+def _rotation(pslg: Pslg, sweep: Swept) -> list[list[int]]:
     """Return the half-edges that leave each vertex, counter-clockwise."""
     rotation = outgoing(pslg.edges, len(pslg.vertices))
-    points, edges = pslg.vertices, pslg.edges
+    edges, rank, orientation = pslg.edges, sweep.rank, sweep.turns.orientation
 
-    def direction(h: int) -> Point:
-        u, v = edges[h >> 1]
-        return minus(points[v], points[u]) if h & 1 == 0 else minus(points[u], points[v])
+    def target(h: int) -> int:
+        return edges[h >> 1][1 - (h & 1)]
 
-    def counter_clockwise(h: int, k: int) -> int:
-        return _angular_order(direction(h), direction(k))
+    for v, leaving in enumerate(rotation):
+        if len(leaving) < 3:
+            continue
 
-    for leaving in rotation:
-        if len(leaving) > 2:
-            leaving.sort(key=cmp_to_key(counter_clockwise))
+        def counter_clockwise(h: int, k: int, v: int = v) -> int:
+            a, b = target(h), target(k)
+            # Those to the right come first, from below; two on one side are less than half a turn apart.
+            if (rank[a] > rank[v]) != (rank[b] > rank[v]):
+                return -1 if rank[a] > rank[v] else 1
+            return -orientation(v, a, b)
+
+        leaving.sort(key=cmp_to_key(counter_clockwise))
     return rotation
-
-
-def _angular_order(a: Point, b: Point) -> int:
-    """Return -1, 0, 1 as the direction a comes before, with or after b, counter-clockwise from (1, 0)."""
-    # The upper half plane holds (1, 0), the lower one (-1, 0).
-    half_a, half_b = a.y < 0 or (a.y == 0 and a.x < 0), b.y < 0 or (b.y == 0 and b.x < 0)
-    if half_a != half_b:
-        return 1 if half_a else -1
-    product = cross(a, b)
-    return -1 if product > 0 else int(product < 0)
 
 
 def doubled_walk_area(pslg: Pslg, half_edges: HalfEdges, walk: tuple[int, ...]) -> mpq:
@@ -113,13 +110,31 @@ def doubled_walk_area(pslg: Pslg, half_edges: HalfEdges, walk: tuple[int, ...]) 
                 for h in walk), mpq(0))
 
 
-def _faces(pslg: Pslg, half_edges: HalfEdges, below: Below) -> tuple[Face, ...]:
+def _is_outer(half_edges: HalfEdges, walk: tuple[int, ...], sweep: Swept) -> bool:
+    """Return whether a walk goes around a bounded face on its left, and not around what lies inside a face.
+
+    Decided at its first vertex v in lexicographic order. A face that has the walk around something on its left reaches
+    beyond v to the left there, between two successive half-edges; a bounded face inside the walk does not. All
+    half-edges of the walk leave v to the right, less than half a turn apart, so it is a matter of one turn.
+    """
+    rank, origin, orientation = sweep.rank, half_edges.origin, sweep.turns.orientation
+    v = min((origin[h] for h in walk), key=rank.__getitem__)
+    before = walk[-1]
+    for h in walk:
+        if origin[h] == v and orientation(v, half_edges.target(h), origin[before]) <= 0:
+            return False
+        before = h
+    return True
+
+
+def _faces(pslg: Pslg, half_edges: HalfEdges, sweep: Swept) -> tuple[Face, ...]:
+    below, rank = sweep.below, sweep.rank
     all_walks = walks(half_edges)
     walk_of = [0] * len(half_edges.origin)
     for index, walk in enumerate(all_walks):
         for h in walk:
             walk_of[h] = index
-    is_outer = [doubled_walk_area(pslg, half_edges, walk) > 0 for walk in all_walks]
+    is_outer = [_is_outer(half_edges, walk, sweep) for walk in all_walks]
     face_of_walk = [0] * len(all_walks)
     outer: list[tuple[int, ...] | None] = [None]
     for index, walk in enumerate(all_walks):
@@ -133,14 +148,14 @@ def _faces(pslg: Pslg, half_edges: HalfEdges, below: Below) -> tuple[Face, ...]:
         if edge < 0:
             return 0
         u, v = pslg.edges[edge]
-        return face_of_walk[walk_of[2 * edge if pslg.vertices[u] < pslg.vertices[v] else 2 * edge + 1]]
+        return face_of_walk[walk_of[2 * edge if rank[u] < rank[v] else 2 * edge + 1]]
 
     def leftmost(walk: tuple[int, ...]) -> int:
-        return min((half_edges.origin[h] for h in walk), key=lambda v: pslg.vertices[v])
+        return min((half_edges.origin[h] for h in walk), key=rank.__getitem__)
 
     # From left to right: the edge below a walk's first vertex belongs to a walk whose face is known by then.
     inner_walks = [(leftmost(walk), index) for index, walk in enumerate(all_walks) if not is_outer[index]]
-    for first, index in sorted(inner_walks, key=lambda item: pslg.vertices[item[0]]):
+    for first, index in sorted(inner_walks, key=lambda item: rank[item[0]]):
         face_of_walk[index] = face_above(below.vertex[first])
         inner[face_of_walk[index]].append(all_walks[index])
     on_edges = {v for edge in pslg.edges for v in edge}

@@ -8,15 +8,15 @@ triangulated has an angle of at least 180 degrees. A chain may pass a vertex twi
 free end. O((n + m) log n) predicates; no recursion.
 """
 
-from bisect import bisect_left
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cmp_to_key
 
-from exactmesh.geometry.filtered import FilteredPoints
+from exactmesh.geometry.fixed_point import FixedPoints, TurnFilter
 from exactmesh.geometry.point import Point
 from exactmesh.planar.cycles import Side
 from exactmesh.planar.faces import Subdivision
+from exactmesh.planar.status import Status
 
 Triangle = tuple[int, int, int]
 
@@ -73,14 +73,20 @@ class _Sweep:
         # Turned and scaled so that `along` points to the right; orientations stay.
         points = self.points = pslg.vertices if along == (1, 0) else tuple(
             Point(x * p.x + y * p.y, x * p.y - y * p.x) for p in pslg.vertices)
-        self.orientation = FilteredPoints(points).orientation
-        ends = [(u, v) if points[u] < points[v] else (v, u) for u, v in pslg.edges]
+        columns = FixedPoints(points)
+        self.turns = TurnFilter(columns)
+        self.orientation = self.turns.orientation
+        self.order: list[int] = columns.lexicographic().tolist()
+        rank = [0] * len(points)
+        for place, v in enumerate(self.order):
+            rank[v] = place
+        ends = [(u, v) if rank[u] < rank[v] else (v, u) for u, v in pslg.edges]
         self.left, self.right = [u for u, _ in ends], [v for _, v in ends]
         self.inside = [side in domain_on_left for side in ends]
         self.starting: list[list[int]] = [[] for _ in points]
         for edge, u in enumerate(self.left):
             self.starting[u].append(edge)
-        self.status: list[int] = []
+        self.status = Status()
         self.vertex: list[int] = []
         self.up: list[int] = []
         self.down: list[int] = []
@@ -88,8 +94,9 @@ class _Sweep:
         self.triangles: list[Triangle] = []
 
     def run(self) -> list[Triangle]:
-        for v in sorted(range(len(self.points)), key=self.points.__getitem__):
+        for v in self.order:
             self._pass(v)
+        self.turns.note()
         return self.triangles
 
     def _pass(self, v: int) -> None:
@@ -99,13 +106,11 @@ class _Sweep:
         def height(edge: int) -> int:
             return -orientation(left[edge], right[edge], v)
 
-        low = bisect_left(status, 0, key=height)
-        high = low
-        while high < len(status) and right[status[high]] == v:
-            high += 1
-        ending, starting = status[low:high], self._from_below(v)
-        status[low:high] = starting
-        below = status[low - 1] if low else -1
+        at = status.first(height)
+        below = status.before(at)
+        ending, _ = status.run(at, lambda edge: right[edge] == v)
+        starting = self._from_below(v)
+        status.replace(at, len(ending), starting)
         # The chains directly below and above v, by the lowest and the highest node; -1 outside of the domain.
         lowest, last, first, highest = -1, -1, -1, -1
         if below >= 0 and self.inside[below]:

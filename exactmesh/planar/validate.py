@@ -5,17 +5,17 @@ cut by the sweep line in vertical order, two edges compared when they become nei
 features meet is found before the order is first wrong. O((n + m) log n) predicates; no recursion.
 """
 
-from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cmp_to_key
 from itertools import pairwise
 
 from exactmesh.errors import GeometryError
-from exactmesh.geometry.filtered import FilteredPoints
+from exactmesh.geometry.fixed_point import FixedPoints, TurnFilter
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import line_crossing
 from exactmesh.planar.pslg import Edge, Pslg
+from exactmesh.planar.status import Status
 
 
 class VerticesCoincide(GeometryError):
@@ -70,12 +70,27 @@ class Below:
     hole: tuple[int, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Swept:
+    """What a sweep found out. `rank` has the place of each vertex in lexicographic order; `turns` are of the vertices
+    and then the hole points."""
+
+    below: Below
+    rank: Sequence[int]
+    turns: TurnFilter
+
+
 def validate(pslg: Pslg) -> Below:
     """Return what lies below each vertex and hole point of a PSLG without defects.
 
     Raises the `GeometryError` of the first defect met from left to right: `VerticesCoincide`, `VertexOnEdge`,
     `EdgesOverlap`, `EdgesCross`, `HolePointOnBoundary`.
     """
+    return swept(pslg).below
+
+
+def swept(pslg: Pslg) -> Swept:
+    """Return `validate(pslg)` with what else the sweep knows; raises what `validate` raises."""
     return _Sweep(pslg).run()
 
 
@@ -86,28 +101,35 @@ class _Sweep:
         self.pslg = pslg
         self.count = len(pslg.vertices)
         self.points: Sequence[Point] = pslg.vertices + pslg.holes
-        self.orientation = FilteredPoints(self.points).orientation
+        columns = FixedPoints(self.points)
+        self.turns = TurnFilter(columns)
+        self.orientation = self.turns.orientation
+        # A hole point sorts after a vertex at the same place.
+        self.order: list[int] = columns.lexicographic().tolist()
+        self.rank = [0] * len(self.order)
+        for place, v in enumerate(self.order):
+            self.rank[v] = place
         self.left: list[int] = []
         self.right: list[int] = []
         self.starting: list[list[int]] = [[] for _ in range(self.count)]
-        self.status: list[int] = []
+        self.status = Status()
         for edge, (u, v) in enumerate(pslg.edges):
-            if self.points[v] < self.points[u]:
+            if self.rank[v] < self.rank[u]:
                 u, v = v, u
             self.left.append(u)
             self.right.append(v)
             self.starting[u].append(edge)
 
-    def run(self) -> Below:
+    def run(self) -> Swept:
         below = [-1] * len(self.points)
-        # A hole point sorts after a vertex at the same place.
-        order = sorted(range(len(self.points)), key=lambda v: (self.points[v], v))
+        order = self.order
         for i, v in enumerate(order):
             # Looked at before the sweep line passes v: an edge that ends at `order[i + 1]` is no edge through v.
             if v < self.count and i + 1 < len(order) and self.points[order[i + 1]] == self.points[v]:
                 self._coincide(v, order[i + 1])
             below[v] = self._pass(v)
-        return Below(tuple(below[: self.count]), tuple(below[self.count :]))
+        self.turns.note()
+        return Swept(Below(tuple(below[: self.count]), tuple(below[self.count :])), self.rank, self.turns)
 
     def _coincide(self, first: int, second: int) -> None:
         at = self.points[first]
@@ -122,22 +144,24 @@ class _Sweep:
         def height(edge: int) -> int:
             return -orientation(left[edge], right[edge], v)
 
-        low = bisect_left(status, 0, key=height)
-        high = low
-        while high < len(status) and (right[status[high]] == v or height(status[high]) == 0):
-            if right[status[high]] != v:
-                self._on_edge(v, status[high])
-            high += 1
-        below = status[low - 1] if low else -1
+        def ends_here(edge: int) -> bool:
+            if right[edge] == v:
+                return True
+            if height(edge) == 0:
+                self._on_edge(v, edge)
+            return False
+
+        at = status.first(height)
+        below = status.before(at)
+        ending, above = status.run(at, ends_here)
         if v >= self.count:
             return below
         starting = self._sorted_by_slope(v)
-        status[low:high] = starting
-        high = low + len(starting)
-        if low and low < len(status):
-            self._compare(status[low - 1], status[low])
-        if starting and high < len(status):
-            self._compare(status[high - 1], status[high])
+        status.replace(at, len(ending), starting)
+        if below >= 0 and (starting or above >= 0):
+            self._compare(below, starting[0] if starting else above)
+        if starting and above >= 0:
+            self._compare(starting[-1], above)
         return below
 
     def _on_edge(self, v: int, edge: int) -> None:

@@ -13,7 +13,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from exactmesh.errors import GeometryError, InputError
-from exactmesh.geometry.filtered import FilteredPoints
+from exactmesh.geometry.fixed_point import TurnFilter
 from exactmesh.geometry.point import Point
 from exactmesh.planar import validate as module
 from exactmesh.planar.pslg import Edge, Pslg
@@ -333,7 +333,7 @@ def test_the_empty_graph_and_isolated_vertices_are_valid() -> None:
 # --- size: no recursion, and a number of predicates that grows as n log n ---
 
 
-class Counting(FilteredPoints):
+class Counting(TurnFilter):
     """Counts all orientations asked for."""
 
     asked = 0
@@ -367,7 +367,7 @@ LARGE = {
 
 @pytest.mark.parametrize("name", LARGE)
 def test_predicates_grow_as_n_log_n(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "FilteredPoints", Counting)
+    monkeypatch.setattr(module, "TurnFilter", Counting)
     for n in (1000, 4000):
         graph = LARGE[name](n)
         Counting.asked = 0
