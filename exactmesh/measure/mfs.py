@@ -14,6 +14,9 @@ from exactmesh.geometry.distance import segment_distance_squared
 from exactmesh.measure.candidates import nearest_candidates
 from exactmesh.planar.pslg import Edge, Pslg
 
+# So few pairs are decided exactly in less time than it takes to find the near ones.
+_FEW = 150
+
 
 @dataclass(frozen=True, slots=True)
 class Nearest:
@@ -41,7 +44,11 @@ def minimum_feature_size(pslg: Pslg) -> Nearest | None:
     points_only = lonely + [v for edge in pairs for v in edge]
     features = list(pslg.edges) + [(v, v) for v in points_only]
     best: tuple[mpq, int, int] | None = None
-    for vertex, feature in nearest_candidates(pslg.vertices, features):
+    if len(pslg.vertices) * len(features) <= _FEW:
+        candidates = [(v, f) for f, ends in enumerate(features) for v in range(len(pslg.vertices)) if v not in ends]
+    else:
+        candidates = nearest_candidates(pslg.vertices, features)
+    for vertex, feature in candidates:
         a, b = features[feature]
         squared = segment_distance_squared(pslg.vertices[vertex], pslg.vertices[a], pslg.vertices[b])
         key = (squared, feature, vertex)
