@@ -13,6 +13,8 @@ from exactmesh.search.targets import Target, target_of
 
 Strategy = Literal["exhaustive", "random", "climb", "anneal", "guided", "inputs"]
 STRATEGIES: tuple[Strategy, ...] = get_args(Strategy)
+# For each number of corners; a task should take longer than handing it out and storing its report.
+_MOST_TASKS = 2000
 
 
 class Task(NamedTuple):
@@ -89,9 +91,11 @@ def lattice_range(spec: Spec) -> tuple[range, int, int, bool, bool]:
 
 
 @lru_cache(maxsize=4)
-def prefix_list(m: int, k: int) -> tuple[Prefix, ...]:
-    """Return all prefixes of lattice polygons, by index."""
-    return tuple(prefixes(m, k))
+def prefix_groups(m: int, k: int) -> tuple[tuple[Prefix, ...], ...]:
+    """Return all prefixes of lattice polygons, a group a task: each alone, or dealt out when there are very many."""
+    every = tuple(prefixes(m, k))
+    count = min(len(every), _MOST_TASKS)
+    return tuple(every[i::count] for i in range(count))
 
 
 def search_tasks(spec: Spec) -> Iterator[Task]:
@@ -100,7 +104,7 @@ def search_tasks(spec: Spec) -> Iterator[Task]:
     if spec.strategy == "exhaustive":
         counts, m, k, _, _ = lattice_range(spec)
         for n in counts:
-            for index in range(residue, len(prefix_list(m, k)), modulus):
+            for index in range(residue, len(prefix_groups(m, k)), modulus):
                 yield Task(f"{n}:{index}")
         return
     index = residue

@@ -11,7 +11,7 @@ from exactmesh.search.figure import Figure
 from exactmesh.search.guided import guide
 from exactmesh.search.lattice import lattice_polygons
 from exactmesh.search.moves import climb
-from exactmesh.search.spec import Spec, lattice_range, prefix_list
+from exactmesh.search.spec import Spec, lattice_range, prefix_groups
 
 _WARMTH = 0.2
 
@@ -35,12 +35,13 @@ def run_task(spec_text: str, key: str, payload: str = "") -> Json:
 
 
 def _exhaust(spec: Spec, key: str, collector: Collector) -> None:
-    """Judge all polygons of one prefix, each in all different positions unless one is enough."""
+    """Judge all polygons of some prefixes, each in all different positions unless one is enough."""
     _, m, k, straight, all_images = lattice_range(spec)
     n, index = map(int, key.split(":"))
-    for polygon in lattice_polygons(n, m, prefix_list(m, k)[index], straight, k):
-        for image in sorted(set(images(polygon))) if all_images else [polygon]:
-            collector.see(Figure.polygon(image))
+    for prefix in prefix_groups(m, k)[index]:
+        for polygon in lattice_polygons(n, m, prefix, straight, k):
+            for image in sorted(set(images(polygon))) if all_images else [polygon]:
+                collector.see(Figure.polygon(image))
 
 
 def _sample(spec: Spec, source: random.Random, collector: Collector) -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from exactmesh.search.corners import canonical, is_simple, normalised
 from exactmesh.search.lattice import count_placed, count_polygons, lattice_polygons, prefixes
-from exactmesh.search.spec import Spec, prefix_list, search_tasks
+from exactmesh.search.spec import Spec, prefix_groups, search_tasks
 from exactmesh.search.work import run_task
 
 
@@ -82,12 +82,17 @@ def test_the_polygons_of_all_shards_are_the_polygons_each_once() -> None:
     def polygons(shard: tuple[int, int]) -> list[str]:
         spec = Spec((("steiner-per-vertex", "repaired", "nonproper"),), "exhaustive", "lattice",
                     (("images", 0), ("m", 3), ("n", 4)), shard=shard).checked()
-        return [str(polygon) for task in search_tasks(spec)
-                for polygon in lattice_polygons(4, 3, prefix_list(3, 3)[int(task.key.split(":")[1])])]
+        return [str(polygon) for task in search_tasks(spec) for prefix in prefix_groups(3, 3)[int(task.key[2:])]
+                for polygon in lattice_polygons(4, 3, prefix)]
 
     for residue in range(5):
         seen += polygons((residue, 5))
     assert len(seen) == len(set(seen)) == 22 and set(seen) == set(polygons((0, 1)))
+
+
+def test_many_prefixes_are_dealt_out_to_fewer_tasks() -> None:
+    groups = prefix_groups(10, 10)
+    assert len(groups) == 2000 and sorted(prefix for group in groups for prefix in group) == sorted(prefixes(10))
 
 
 def test_every_image_is_judged_once() -> None:
