@@ -20,7 +20,7 @@ from exactmesh.reproduce.text import table1_csv, table1_json, table1_svg, table1
 
 def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
-    command = commands.add_parser("reproduce", help="tables of the paper, recomputed")
+    command = commands.add_parser("reproduce", help="tables and figures of the paper, recomputed")
     things = command.add_subparsers(required=True, metavar="WHAT")
     _add_thing(things, "bounds", "the paper's numbers beside their exact values", _bounds)
     _add_thing(things, "dissection", "the square to the r x 1 rectangle, pieces beside the fewest there can be",
@@ -31,6 +31,15 @@ def add(commands: Subparsers) -> None:
     table1.add_argument("-o", "--output", metavar="DIR", help="also write table1.txt, .csv and .svg there")
     table1.add_argument("--short", action="store_true", help="inputs of up to some 500 vertices")
     table1.add_argument("--kinds", metavar="KIND,..", type=_kinds, help=f"only these of {', '.join(MADE)}")
+    drawn = _add_thing(things, "figures", "the paper's figures from real runs, and companions where they fail",
+                       _figures)
+    drawn.add_argument("-o", "--output", metavar="DIR", required=True,
+                       help="write NAME.svg, figures.json (captions, commands, hashes) and the inputs there")
+    drawn.add_argument("--only", metavar="NAME,..", help="only these, such as fig-02,fig-02-fails")
+    everything = _add_thing(things, "all", "every table and figure, in one page", _all)
+    everything.add_argument("-o", "--output", metavar="DIR", required=True,
+                            help="write report.html, which needs no other file, and report.json there")
+    everything.add_argument("--short", action="store_true", help="without large inputs: some minutes at most")
 
 
 def _add_thing(things: Subparsers, name: str, what: str, run: Callable[[argparse.Namespace], int]
@@ -77,6 +86,36 @@ def _table1(args: argparse.Namespace) -> int:
     if failures:
         print("\n".join(failures), file=sys.stderr)
     return FAILS if failures else HOLDS
+
+
+def _figures(args: argparse.Namespace) -> int:
+    from exactmesh.reproduce.figures import FIGURES, figures, figures_json, figures_text, write_figures
+
+    make_folder(args.output)
+    with Progress(args.quiet) as progress:
+        found = list(figures(args.only.split(",") if args.only else FIGURES, progress))
+        write_figures(found, args.output)
+    if args.json or not args.quiet:
+        print(figures_json(found) if args.json else figures_text(found))
+    return HOLDS
+
+
+def _all(args: argparse.Namespace) -> int:
+    from exactmesh.reproduce.everything import report_json, report_page, sections
+
+    make_folder(args.output)
+    with Progress(args.quiet) as progress:
+        found = list(sections(args.short, progress))
+    path = os.path.join(args.output, "report.html")
+    write_text(path, report_page(found))
+    text = report_json(found)
+    write_text(os.path.join(args.output, "report.json"), text)
+    failing = [section.anchor for section in found if section.holds is False]
+    if args.json:
+        print(text, end="")
+    elif not args.quiet:
+        print(f"{path}: {len(found)} results, {f'failing: {chr(44).join(failing)}' if failing else 'no check fails'}")
+    return FAILS if failing else HOLDS
 
 
 def _kinds(text: str) -> tuple[Made, ...]:

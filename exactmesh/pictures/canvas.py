@@ -5,7 +5,7 @@ the height in pixels that half of the visible faces have at least.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from math import sqrt
+from math import atan2, cos, pi, sin, sqrt
 
 from gmpy2 import mpq
 
@@ -40,6 +40,7 @@ _SPOTS: tuple[tuple[float, float, str], ...] = (
     (14, 5, "start"), (-14, 5, "end"), (24, -26, "start"), (-24, -26, "end"), (24, 36, "start"), (-24, 36, "end"))
 _SHORT = 9.0
 _CIRCLE = 7.0
+_CHORDS = 12
 
 
 class Canvas:
@@ -137,26 +138,37 @@ class Canvas:
             self.layers.append(Dots(name, places, fill, radius))
             self._key("dot", fill, key)
 
-    def nearest(self, points: Sequence[Point], nearest: Nearest, name: str = "witness", word: str = "") -> None:
+    def nearest(self, points: Sequence[Point], nearest: Nearest, name: str = "witness", word: str = "",
+                colour: str = RED) -> None:
         """Draw the segment that a feature size is the length of, with its length."""
         p = points[nearest.vertex]
         a, b = (points[v] for v in nearest.feature)
-        self.distance(p, foot(p, a, b), nearest.squared, name, word)
+        self.distance(p, foot(p, a, b), f"{word + ' ' if word else ''}{sqrt_text(nearest.squared, _DIGITS)}", name,
+                      colour)
 
-    def distance(self, p: Point, q: Point, squared: mpq, name: str = "witness", word: str = "", text: str = "",
-                 dash: tuple[float, ...] = ()) -> None:
-        """Draw a segment and its length; a short one is circled as well."""
+    def distance(self, p: Point, q: Point, text: str, name: str = "witness", colour: str = RED) -> None:
+        """Draw a segment with a text; a short one is circled as well."""
         chain = self.view.segment(p, q)
-        if not chain:
+        if not chain or self.view.misses(chain):
             return
-        self.layers.append(Lines(name, (chain,), RED, 2.6, dash))
+        self.layers.append(Lines(name, (chain,), colour, 2.6))
         (px, py), (qx, qy) = chain
         middle = ((px + qx) / 2, (py + qy) / 2)
         self._taken.append((min(px, qx) - 2, min(py, qy) - 2, max(px, qx) + 2, max(py, qy) + 2))
         if (px - qx) ** 2 + (py - qy) ** 2 < _SHORT**2:
-            self.layers.append(Lines(f"{name}-circle", (_circle(middle, _CIRCLE),), RED, 1.6))
-        shown = text or f"{word + ' ' if word else ''}{sqrt_text(squared, _DIGITS)}"
-        self.note(middle if middle[0] > 0 else (px, py), shown, RED, f"{name}-label")
+            self.layers.append(Lines(f"{name}-circle", (_circle(middle, _CIRCLE),), colour, 1.6))
+        self.note(middle if middle[0] > 0 else (px, py), text, colour, f"{name}-label")
+
+    def angle(self, at: Point, p: Point, q: Point, text: str, colour: str = INK, radius: float = 24.0) -> None:
+        """Mark the angle at a point between the directions of two others, less than half a turn."""
+        x, y = self.view.place(at)
+        first, last = (atan2(py - y, px - x) for px, py in map(self.view.place, (p, q)))
+        turn = (last - first + pi) % (2 * pi) - pi
+        angles = [first + turn * i / _CHORDS for i in range(_CHORDS + 1)]
+        self.layers.append(Lines("angle", (tuple((x + radius * cos(z), y + radius * sin(z)) for z in angles),),
+                                 colour, 1.2))
+        middle, away = first + turn / 2, radius + 16
+        self.word((x + away * cos(middle), y + away * sin(middle)), text, colour, 12)
 
     def note(self, place: Place, text: str, fill: str = INK, name: str = "note", size: float = 13.0) -> None:
         """Write beside a place, where there is room."""

@@ -53,12 +53,14 @@ def step_panel(run: Run, step: str, view: View, title: str = "") -> Panel:
 
     Raises `InputError` for a step that the construction does not have, and what the steps raise.
     """
-    steps = _STEPS[run.construction]
-    if step not in steps:
-        raise InputError(f"the {run.construction} construction has no step {step!r}; it has: {', '.join(steps)}")
-    words, draw = steps[step]
+    words, draw = _step(run, step)
     run.progress(f"drawing {step}")
     return draw(run, view).panel(step, title or f"{step}: {words}")
+
+
+def step_canvas(run: Run, step: str, view: View) -> Canvas:
+    """Return the canvas of one step, for more to be drawn on it; raises what `step_panel` raises."""
+    return _step(run, step)[1](run, view)
 
 
 def makers_of(run: Run) -> dict[Maker, range]:
@@ -86,13 +88,13 @@ def draw_input(canvas: Canvas, pslg: Pslg, width: float = 1.8) -> None:
 
 
 def draw_mesh(canvas: Canvas, pslg: Pslg, mesh: Mesh, makers: Mapping[Maker, Iterable[int]], input_mfs: Nearest | None,
-              mesh_mfs: Nearest | None) -> None:
-    """Draw a mesh: faces by feature size, vertices by maker, T-vertices ringed, both nearest pairs."""
+              mesh_mfs: Nearest | None, both: bool = True) -> None:
+    """Draw a mesh: faces by feature size, vertices by maker, T-vertices ringed, both nearest pairs or the mesh's."""
     points = mesh.vertices
     canvas.features(points, mesh.faces, input_mfs.squared if input_mfs else mpq(0))
     draw_input(canvas, pslg, width=max(0.7, min(1.8, 0.3 * canvas.grain)))
     canvas.vertices(points, makers, t_vertices(points, mesh.faces))
-    if input_mfs is not None:
+    if input_mfs is not None and both:
         canvas.nearest(pslg.vertices, input_mfs, "input-witness", "mfs of the input")
     if mesh_mfs is not None:
         canvas.nearest(points, mesh_mfs, "witness", "mfs of the mesh")
@@ -211,6 +213,13 @@ _STEPS: dict[str, dict[str, tuple[str, Callable[[Run, View], Canvas]]]] = {
 }
 
 
+def _step(run: Run, step: str) -> tuple[str, Callable[[Run, View], Canvas]]:
+    steps = _STEPS[run.construction]
+    if step not in steps:
+        raise InputError(f"the {run.construction} construction has no step {step!r}; it has: {', '.join(steps)}")
+    return steps[step]
+
+
 def _faint(run: Run, view: View) -> Canvas:
     canvas = Canvas(view)
     draw_input(canvas, run.pslg)
@@ -236,10 +245,10 @@ def _draw_p2(canvas: Canvas, run: Run, faint: bool = False) -> None:
     rings = rings_of(run.paper.shape, run.paper.curve)
     share = 0.45 if faint else 1.0
     canvas.edges("p2", ((near(s.start), near(s.end)) for s in straights_of(rings)), tint(BLUE, share), 1.6,
-                 key="" if faint else "P2: a segment for each edge")
+                 key="P2" if faint else "P2: a segment for each edge")
     for _, chain in arcs(rings):
         canvas.edges("p2-arc", pairwise(chain), tint(ORANGE, max(share, 0.7)), 2.2,
-                     key="" if faint else "P2: an arc for each reflex vertex")
+                     key="P2, arcs" if faint else "P2: an arc for each reflex vertex")
 
 
 def _ring_edges(points: Sequence[Point], q: Offset) -> Iterable[tuple[Point, Point]]:
@@ -295,7 +304,9 @@ def _phases(run: Run, view: View, numbers: range) -> Canvas:
     canvas.edges("rectangle", (pair for r in rectangles for pair in pairwise(
         points[v] for v in (r.side[0], r.side[-1], r.a_below, r.b_below, r.side[0]))), INK, 1.3)
     if numbers[-1] == 1:
-        canvas.edges("spoke", spokes(run), GREEN, 1.5, key="spokes between quasi-trapz")
+        canvas.areas("quasi-trapz", ([points[v] for v in cycle] for cycle in quasi_trapz(run)), tint(GREEN, 0.12),
+                     key="quasi-trapz")
+        canvas.edges("spoke", spokes(run), GREEN, 1.5, key="spokes")
     draw_input(canvas, run.pslg)
     canvas.edges("ring", _ring_edges(points, made.p4), BLUE, 1.5, key="P4")
     used = {v for phase in PHASES if PHASES[phase][0] in numbers for face in faces[phase] for v in face}
@@ -312,3 +323,11 @@ def spokes(run: Run) -> list[tuple[Point, Point]]:
     return [(points[made.shape.origin[corner]], points[p4.first + k])
             for k, (corner, source) in enumerate(zip(p4.corner, p4.source, strict=True))
             if source >= 0 or p4.source[before[k]] >= 0]
+
+
+def quasi_trapz(run: Run) -> list[Cycle]:
+    """Return the paper's quasi-trapz: an edge of P, and the edge of P4 along it with its two ends only."""
+    made = run.paper
+    p4, origin = made.p4, made.shape.origin
+    return [(origin[source], origin[source ^ 1], p4.first + after, p4.first + k)
+            for k, (source, after) in enumerate(zip(p4.source, p4.successors(), strict=True)) if source >= 0]

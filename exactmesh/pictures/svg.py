@@ -8,14 +8,14 @@ import re
 from collections.abc import Iterable, Sequence
 
 from exactmesh.pictures.palette import FAINT, INK, PAPER
-from exactmesh.pictures.scene import LETTER, Area, Dots, Key, Label, Layer, Lines, Panel, Place, Scene
+from exactmesh.pictures.scene import Area, Dots, Key, Label, Layer, Lines, Panel, Place, Scene
 
 _GAP = 26.0
 _TITLE = 24.0
 _LINE = 20.0
 _FONT = 13.0
 _FINE = 100
-# Keys are in lower case and may come close: narrower letters than elsewhere will do.
+# Of running text, which is in lower case: narrower letters than elsewhere will do.
 _KEY_LETTER = 0.48
 _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -24,7 +24,7 @@ def svg_text(scene: Scene) -> str:
     """Return the picture as the text of an SVG file."""
     rows = scene.rows
     across = max(max(map(_row_width, rows)) + 2 * _GAP, 460.0)
-    heading = _wrapped(scene.title, across, 15.0) if scene.title else []
+    heading = _wrapped(scene.title, across, 17.0) if scene.title else []
     y = _GAP + _LINE * len(heading) if heading else _GAP / 2
     body: list[str] = []
     for row in rows:
@@ -59,7 +59,7 @@ def _row_width(row: Sequence[Panel]) -> float:
 
 
 def _wrapped(text: str, across: float, size: float) -> list[str]:
-    room = max(20, int((across - 2 * _GAP) / (LETTER * size)))
+    room = max(20, int((across - 2 * _GAP) / (_KEY_LETTER * size)))
     lines, line = [], ""
     for word in text.split(" "):
         if line and len(line) + 1 + len(word) > room:
@@ -74,7 +74,7 @@ def _panel(panel: Panel, x: float, y: float) -> list[str]:
     width, height = _number(panel.width), _number(panel.height)
     parts = [f'<g class="panel" data-step="{escaped(panel.step)}">']
     if panel.title:
-        room = max(10, int(panel.width / (LETTER * _FONT)))
+        room = max(10, int(panel.width / (_KEY_LETTER * _FONT)))
         title = panel.title if len(panel.title) <= room else panel.title[: room - 1] + "…"
         parts.append(_text("panel-title", x, y - 8, title, INK, _FONT))
     # An inner svg element cuts off what is outside of it.

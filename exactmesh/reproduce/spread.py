@@ -42,6 +42,11 @@ class SpreadRow:
     repaired: mpq
 
 
+def spread_inputs() -> list[Pslg]:
+    """Return the rooms of both families by length."""
+    return [room(length) for _, room in _FAMILIES for length in LENGTHS]
+
+
 def spread_rows(progress: Callable[[str], None]) -> Iterator[SpreadRow]:
     """Yield the rooms of each family by length; `progress` is told each."""
     for name, room in _FAMILIES:
