@@ -105,7 +105,7 @@ def polynomial_from_text(text: str) -> Polynomial:
     """Return what a text such as `3/4*x*y**2 - (x - 1)**2` says; raises `NotPolynomial`."""
     try:
         return _from_node(ast.parse(text, mode="eval").body)
-    except (SyntaxError, TypeError, ZeroDivisionError, RecursionError, ValueError) as error:
+    except (SyntaxError, TypeError, ZeroDivisionError, RecursionError, MemoryError, ValueError) as error:
         raise NotPolynomial(f"no polynomial: {text[:60]!r}") from error
 
 

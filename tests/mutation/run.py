@@ -26,13 +26,30 @@ LEAST = 95
 COPIED = ("exactmesh", "tests", "proofs_checks", "docs")
 
 ALGEBRAIC = ("tests/numbers/test_algebraic.py", "tests/numbers/test_root.py", "tests/numbers/test_number_details.py")
-GEOMETRY = ("tests/geometry",)
+VALIDITY = ("tests/measure/test_validity.py", "tests/measure/test_verdict.py")
+PROOFS = ("tests/proofs/test_certificates.py", "tests/proofs/test_proof_details.py")
+STEPS = ("appendix_a", "lemma_1", "lemma_3", "mesh", "offset", "offset_curve", "p5", "paper_interior", "paper_tube",
+         "patch", "shape", "snap", "trapezoidation")
+# The modules that verdicts rest on, each with the tests that are run against its mutants.
 TARGETS: Mapping[str, Sequence[str]] = {
     "exactmesh/check.py": ("tests/certificate/test_check.py", "tests/certificate/test_check_details.py"),
     "exactmesh/numbers/rational.py": ("tests/numbers/test_rational.py", "tests/numbers/test_number_details.py"),
     **{f"exactmesh/numbers/{name}.py": ALGEBRAIC for name in (
         "algebraic", "interval", "nested", "radicals", "root", "surd_sum")},
     "exactmesh/numbers/separation.py": ("tests/numbers/test_separation.py", "tests/numbers/test_number_details.py"),
+    "exactmesh/geometry/point.py": ("tests/geometry/test_distance.py", "tests/geometry/test_predicates.py"),
+    "exactmesh/geometry/predicates.py": ("tests/geometry/test_predicates.py",),
+    "exactmesh/geometry/distance.py": ("tests/geometry/test_distance.py",),
+    "exactmesh/geometry/filtered.py": ("tests/geometry/test_filtered.py",),
+    "exactmesh/geometry/incircle.py": ("tests/geometry/test_incircle.py",),
+    "exactmesh/measure/verdict.py": ("tests/measure/test_verdict.py",),
+    "exactmesh/measure/face_feature.py": ("tests/measure/test_face_feature.py",),
+    "exactmesh/measure/validity.py": VALIDITY,
+    "exactmesh/proofs/certificate.py": PROOFS,
+    "exactmesh/proofs/polynomial.py": PROOFS,
+    "exactmesh/certificate/record.py": ("tests/certificate/test_record.py",),
+    **{f"exactmesh/steps/{name}_check.py": (f"tests/steps/test_{name}_check.py",) for name in STEPS},
+    "exactmesh/steps/paper_tube_unsnapped_check.py": ("tests/steps/test_paper_tube_check.py",),
 }
 # Tests that are slow, read the source, or run it where mutmut is not installed.
 LEFT_OUT = (

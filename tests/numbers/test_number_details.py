@@ -474,8 +474,9 @@ class TestReal:
         assert Real(0) ** 0 == 1 and R2**10 == 32
 
     def test_floor_and_ceiling_are_integers(self) -> None:
+        n = 10**30
         for x, floor in ((Real(Fraction(7, 2)), 3), (Real(Fraction(-7, 2)), -4), (Real(3), 3), (R2, 1), (-R2, -2),
-                         (sqrt(10**60 + 1), 10**30), (-sqrt(10**60 + 1), -(10**30) - 1), (sqrt(10**60 - 1), 10**30 - 1)):
+                         (sqrt(n * n + 1), n), (-sqrt(n * n + 1), -n - 1), (sqrt(n * n - 1), n - 1)):
             assert math.floor(x) == floor and type(math.floor(x)) is int
             assert math.ceil(x) == floor + (x != floor) and type(math.ceil(x)) is int
 
