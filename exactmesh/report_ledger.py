@@ -2,7 +2,8 @@
 
 import json
 import textwrap
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from types import MappingProxyType
 
 from exactmesh.claims.bounds import Row
 from exactmesh.claims.status import Entry, Judged
@@ -11,21 +12,23 @@ from exactmesh.report import claim_json, table
 _WIDTH = 110
 
 
-def ledger_json(entries: Iterable[Entry]) -> str:
-    """Return what `exactmesh claims --json` prints."""
-    return json.dumps({"claims": [_entry(entry) for entry in entries]}, indent=1)
+def ledger_json(entries: Iterable[Entry], evidence: Mapping[str, object] = MappingProxyType({})) -> str:
+    """Return what `exactmesh claims --json` prints; `evidence` is what a store says, by claim."""
+    return json.dumps({"claims": [{**_entry(entry), **({"evidence": evidence[entry.claim.id]}
+                                                       if entry.claim.id in evidence else {})}
+                                  for entry in entries]}, indent=1)
 
 
-def ledger_text(entries: Iterable[Entry]) -> str:
-    """Return the ledger as a table."""
-    rows = [("claim", "place", "status", "instances", "statement")]
-    rows += [(entry.claim.id, entry.claim.paper, _status(entry), str(entry.instances), entry.claim.says)
-             for entry in entries]
+def ledger_text(entries: Iterable[Entry], evidence: Mapping[str, Sequence[str]] | None = None) -> str:
+    """Return the ledger as a table; `evidence` is what a store says, by claim, and makes one more column."""
+    rows = [("claim", "place", "status", "instances", "statement", *([] if evidence is None else ["in the store"]))]
+    rows += [(entry.claim.id, entry.claim.paper, _status(entry), str(entry.instances), entry.claim.says,
+              *([] if evidence is None else ["; ".join(evidence.get(entry.claim.id, ()))])) for entry in entries]
     return table(rows, right=(3,))
 
 
-def entry_text(entry: Entry) -> str:
-    """Return all there is to say of one claim."""
+def entry_text(entry: Entry, evidence: Sequence[str] = ()) -> str:
+    """Return all there is to say of one claim; `evidence` is what a store says."""
     claim = entry.claim
     lines = [claim.id, f"place       {claim.paper}", f"statement   {claim.says}"]
     lines += [f"given       {given}" for given in claim.given]
@@ -41,6 +44,7 @@ def entry_text(entry: Entry) -> str:
         if judged.witness:
             lines.append(f"witness     {judged.witness}, {_worst(entry, judged)}")
             lines.append(f"shown by    {_command(entry, judged)}")
+    lines += [f"in store    {line}" for line in evidence]
     for name, text in (("corrected   ", claim.corrected), ("repair      ", claim.repair)):
         if text:
             lines += textwrap.wrap(text, _WIDTH, initial_indent=name, subsequent_indent=" " * len(name))

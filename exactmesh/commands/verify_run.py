@@ -4,15 +4,13 @@ import argparse
 import json
 from collections.abc import Iterator
 from itertools import islice
-from typing import Any
 
 from exactmesh.commands.engine import add_engine, run_search
 from exactmesh.commands.exit_status import FAILS, HOLDS, REFUSED
 from exactmesh.commands.options import Subparsers, positive
 from exactmesh.io.atomic import write_text
 from exactmesh.planar.mesh import KINDS
-from exactmesh.search import show
-from exactmesh.search.driver import add_row
+from exactmesh.search.evidence import evidence_in, verification_html, verification_record, verification_text
 from exactmesh.search.spec import Spec, Task, search_tasks
 from exactmesh.search.store import Store
 from exactmesh.search.verify_run import chosen_targets, family_spec, input_tasks
@@ -51,21 +49,17 @@ def _run(args: argparse.Namespace) -> int:
         spec = family_spec(family, targets, args.seed, args.count, args.shrink)
         tasks = search_tasks(spec)
         runs.append((spec, tasks if spec.strategy == "exhaustive" else islice(tasks, -(-args.count // spec.size))))
-    rows: dict[tuple[str, str, str], Any] = {}
     with Store(args.store) as store:
-        for spec, tasks in runs:
-            run = run_search(args, store, spec, tasks, False)
-            for row in store.results(run):
-                add_row(rows, row)
-    record = show.verification_record(rows, refused)
+        found = evidence_in(store, [run_search(args, store, spec, tasks, False) for spec, tasks in runs])
+    record = verification_record(found, refused)
     if args.report:
         write_text(args.report, json.dumps(record, indent=1) + "\n")
     if args.html:
-        write_text(args.html, show.verification_html(rows, refused))
+        write_text(args.html, verification_html(found, refused))
     if args.json:
         print(json.dumps(record, indent=1))
     elif not args.quiet:
-        print(show.verification_text(rows, refused))
-    if any(total.violations or total.crashes for total in rows.values()):
+        print(verification_text(found, refused))
+    if any(total.violations or total.crashes for total in found.values()):
         return FAILS
     return REFUSED if refused else HOLDS

@@ -109,9 +109,9 @@ def _tally_json(tally: Tallied, shows_figure: bool) -> Json:
 
 
 def _finds(tally: Tallied, shrinks: bool) -> list[Json]:
-    """Return violations, shrunk, and crashes, each once."""
+    """Return violations, shrunk, and crashes, each once; without shrinking, the worst violation only."""
     target = tally.target
-    figures = list(tally.found)
+    figures = list(tally.found) if shrinks else []
     if tally.worst is not None and tally.worst.outcome == "violated" and tally.worst_figure is not None:
         figures.append(tally.worst_figure)
     figures = list(dict.fromkeys(figures))

@@ -23,13 +23,15 @@ _RECORD_BUDGET = 150
 
 @dataclass(slots=True)
 class Sum:
-    """What a run has to say of one target; `worst` is the stored row with the worst value."""
+    """What a run has to say of one target; `worst` is the stored row with the worst value, `confirmed` the number of
+    violations with which the independent check agrees."""
 
     judged: int = 0
     skipped: int = 0
     instances: int = 0
     violations: int = 0
     crashes: int = 0
+    confirmed: int = 0
     worst: Row | None = None
 
 

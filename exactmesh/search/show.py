@@ -136,7 +136,7 @@ def export(finds: Iterable[Find], folder: str) -> list[str]:
 
 def html_page(finds: Iterable[Find], title: str) -> str:
     """Return a page with a picture and the facts of each find; it needs no other file."""
-    parts = [_head(title)]
+    parts = [page_head(title)]
     for find in finds:
         facts = [("worst", worst_text(find)), ("label", find["label"]), ("figure", find["figure"]),
                  ("independent check", find["confirmation"]), ("found by", find["command"]),
@@ -148,60 +148,7 @@ def html_page(finds: Iterable[Find], title: str) -> str:
     return "\n".join([*parts, "</body></html>", ""])
 
 
-def _head(title: str) -> str:
+def page_head(title: str) -> str:
+    """Return the beginning of a page, up to its first heading."""
     return (f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{escape(title)}</title>'
             f"<style>{_STYLE}</style></head><body><h1>{escape(title)}</h1>")
-
-
-def verification_record(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> dict[str, object]:
-    """Return the sums of a verification run, target by target, as JSON."""
-    claims = []
-    for (claim, construction, kind), total in sorted(rows.items()):
-        worst = total.worst
-        shown = json.loads(worst["shown"]) if worst else {}
-        claims.append({
-            "id": claim, "construction": construction, "kind": kind, "status": status_of(total),
-            "inputs": total.judged, "not_for": total.skipped, "instances": total.instances,
-            "violations": total.violations, "crashes": total.crashes, "worst": shown.get("worst"),
-            "witness": None if worst is None else {
-                "input": worst["input"], "figure": json.loads(worst["figure"]), "place": shown.get("witness")}})
-    return {"format": "exactmesh-verification-run/1", "claims": claims, "refused": refused}
-
-
-def status_of(total: Any) -> str:
-    """Return what the ledger says of a claim after a run."""
-    if total.violations:
-        return f"refuted by {total.violations} of {total.judged} inputs"
-    if total.crashes:
-        return f"not shown: the program fails on {total.crashes} of {total.judged} inputs"
-    return f"holds on {total.instances} instances" if total.instances else "open: no instance"
-
-
-def _on(worst: Find | None) -> str:
-    """Return the name of the input with the worst value, or the figure itself."""
-    if worst is None:
-        return ""
-    return str(worst["input"]) or Figure.from_json(json.loads(worst["figure"])).text()
-
-
-def verification_text(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> str:
-    """Return the sums of a verification run as a table."""
-    lines = [("claim", "construction", "inputs", "status", "worst", "on")]
-    for (claim, construction, _), total in sorted(rows.items()):
-        on = _on(total.worst)
-        lines.append((claim, construction, str(total.judged), status_of(total), worst_text(total.worst),
-                      on if len(on) <= 60 else on[:57] + "..."))
-    return "\n".join([table(lines, right=(2,)), *(f"refused: {text}" for text in refused)])
-
-
-def verification_html(rows: Mapping[tuple[str, str, str], Any], refused: list[str]) -> str:
-    """Return the sums of a verification run as a page."""
-    parts = [_head("Verification run"), "<table><tr><th>claim</th><th>construction</th><th>kind</th><th>inputs</th>"
-             "<th>status</th><th>worst</th><th>on</th></tr>"]
-    for key, total in sorted(rows.items()):
-        on = _on(total.worst)
-        cells = (*key, total.judged, status_of(total), worst_text(total.worst), on)
-        state = ' class="no"' if total.violations or total.crashes else ""
-        parts.append(f"<tr{state}>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in cells) + "</tr>")
-    parts += ["</table>", *(f"<p>refused: {escape(text)}</p>" for text in refused), "</body></html>", ""]
-    return "\n".join(parts)

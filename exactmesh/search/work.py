@@ -26,7 +26,7 @@ def run_task(spec_text: str, key: str, payload: str = "") -> Json:
     elif spec.strategy == "inputs":
         for text in json.loads(payload):
             pslg = pslg_from_json(text)
-            collector.see_input(pslg, Figure.of(pslg) if spec.shrinks else None)
+            collector.see_input(pslg, Figure.of(pslg))
     elif spec.strategy == "guided":
         guide(collector.see, spec.size, source.getrandbits(64))
     else:

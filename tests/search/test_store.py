@@ -142,25 +142,68 @@ def test_hits_are_listed_filtered_and_exported(tmp_path: Path, capsys: pytest.Ca
     assert main(["hits", str(tmp_path / "none")]) == 2
 
 
-def test_verify_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.fixture
+def inputs(tmp_path: Path) -> Path:
+    """A folder with a long room, a file of lines, a square with a hole, and a file that is none."""
     folder = tmp_path / "in"
     (folder / "deeper").mkdir(parents=True)
     (folder / "room.json").write_text(ROOM)
+    (folder / "hole.wkt").write_text("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (3 3, 3 6, 6 6, 6 3, 3 3))")
     (folder / "deeper" / "many.jsonl").write_text("[[0,0],[3,0],[1,2]]\n" * 3 + ROOM + "\n")
     (folder / "bad.json").write_text("{")
-    arguments = ["verify-run", str(folder), "family:star:n=5", "--count", "50", "--claims",
+    return folder
+
+
+def test_verify_run(tmp_path: Path, inputs: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["verify-run", str(inputs), "family:star:n=5", "--count", "50", "--claims",
                  "theorem-1.degradation,repaired.degradation,section-2.p5-grid", "--construction", "both", "--store",
                  str(tmp_path / "s.db"), "--report", str(tmp_path / "r.json"), "--html", str(tmp_path / "r.html")]
     assert main(arguments) == 1
     report = json.loads((tmp_path / "r.json").read_text())
     found = {(claim["id"], claim["construction"]): claim for claim in report["claims"]}
-    assert found["repaired.degradation", "repaired"]["inputs"] == 55 and len(report["refused"]) == 1
-    assert found["repaired.degradation", "repaired"]["status"] == "holds on 55 instances"
+    assert found["repaired.degradation", "repaired"]["inputs"] == 56 and len(report["refused"]) == 1
+    assert found["repaired.degradation", "repaired"]["status"] == "holds on 56 instances"
     refuted = found["theorem-1.degradation", "paper"]
-    assert refuted["violations"] >= 2 and refuted["status"].startswith("refuted")
+    assert refuted["violations"] >= 2 and refuted["confirmed"] >= 1 and refuted["not_for"] == 1
+    assert refuted["status"].startswith("refuted: fails on ") and refuted["status"].endswith(" confirmed")
     assert "refuted" in (tmp_path / "r.html").read_text() and "theorem-1.degradation" in capsys.readouterr().out
     assert main([*arguments, "--resume", "--jobs", "2"]) == 1
     assert json.loads((tmp_path / "r.json").read_text()) == report
+
+
+def test_what_a_verify_run_saw_stands_in_the_ledger(tmp_path: Path, inputs: Path, capsys: pytest.CaptureFixture[str]
+                                                    ) -> None:
+    store = str(tmp_path / "s.db")
+    main(["verify-run", str(inputs), "--claims", "repaired.degradation,theorem-1.degradation", "--construction", "both",
+          "--store", store, "--quiet"])
+    assert main(["claims", "repaired.degradation", "--store", store]) == 0
+    assert "in store    holds on 6 instances (repaired, nonproper), worst " in capsys.readouterr().out
+    assert main(["claims", "--store", store]) == 0
+    table = capsys.readouterr().out.splitlines()
+    assert table[0].endswith("in the store")
+    assert any("refuted: fails on 2 of 5 inputs" in line and "holds on 6 instances" in line for line in table)
+    assert main(["claims", "--store", store, "--json"]) == 0
+    claims = {claim["id"]: claim for claim in json.loads(capsys.readouterr().out)["claims"]}
+    [evidence] = claims["repaired.degradation"]["evidence"]
+    assert evidence["instances"] == 6 and evidence["worst"]["exact"] and evidence["witness"]["input"].endswith("wkt")
+    assert len(claims["theorem-1.degradation"]["evidence"]) == 2 and "evidence" not in claims["lemma-1.degradation"]
+    assert main(["claims", "--store", str(tmp_path / "none")]) == 2
+
+
+def test_files_that_violate_a_claim_are_shrunk_and_stored_once(tmp_path: Path, inputs: Path) -> None:
+    store = tmp_path / "s.db"
+    again = inputs / "turned.jsonl"
+    again.write_text('[["1/2","0"],["1/2","17/2"],["0","17/2"],["0","1/2"],["0","0"]]\n')
+    arguments = ["verify-run", str(inputs), "--claims", "theorem-1.degradation", "--construction", "paper", "--quiet",
+                 "--store", str(store)]
+    assert main([*arguments, "--shrink"]) == 1
+    with Store(str(store)) as opened:
+        shrunk = [json.loads(find["figure"]) for find in opened.finds()]
+        assert all(find["confirmed"] and find["label"] == "violation" for find in opened.finds())
+    assert len(shrunk) < 4 and all(len(figure) <= 5 for figure in shrunk)
+    assert main([*arguments[:-1], str(tmp_path / "unshrunk.db")]) == 1
+    with Store(str(tmp_path / "unshrunk.db")) as opened:
+        assert {len(json.loads(find["figure"])) for find in opened.finds()} == {5}
 
 
 def test_totals_and_tasks_of_nothing(tmp_path: Path) -> None:
