@@ -44,7 +44,12 @@ def size_json(name: str, nearest: Nearest | None) -> str:
 
 def verification_json(verification: Verification) -> str:
     """Return what `exactmesh verify --json` prints."""
-    return json.dumps({
+    return json.dumps(verification_record(verification))
+
+
+def verification_record(verification: Verification) -> dict[str, object]:
+    """Return a verification as JSON can hold it."""
+    return {
         "valid": verification.valid,
         "kind": verification.kind,
         "violations": [{"clause": v.clause, "place": dict(v.place)} for v in verification.violations],
@@ -53,7 +58,7 @@ def verification_json(verification: Verification) -> str:
         **_internal(verification),
         "steiner": verification.steiner,
         "faces": verification.faces,
-    })
+    }
 
 
 def _internal(verification: Verification) -> dict[str, object]:

@@ -1,9 +1,9 @@
 """A hole point for every bounded face that no polygon covers.
 
 A face lies inside a ring when a path to it from the unbounded face crosses the ring an odd number of times,
-and inside a polygon when it lies inside the exterior ring and no interior one. Faces are those of the whole
-PSLG, so a hole that islands or lines divide gets a point in each part, and one that another polygon fills
-gets none.
+and inside a polygon when it lies inside its exterior ring (an odd number of them, where rings are of equal
+standing) and no interior one. Faces are those of the whole PSLG, so a hole that islands or lines divide gets a
+point in each part, and one that another polygon fills gets none.
 """
 
 from collections import Counter
@@ -132,7 +132,7 @@ class _Around:
             self.covering += self._covers(ring.polygon)
 
     def _covers(self, polygon: int) -> bool:
-        return self.exteriors[polygon] > 0 and self.interiors[polygon] == 0
+        return self.exteriors[polygon] % 2 == 1 and self.interiors[polygon] == 0
 
 
 def _vertices_on(pslg: Pslg, ring: Ring) -> int:

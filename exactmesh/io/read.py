@@ -15,22 +15,31 @@ from typing import Literal
 
 from exactmesh.errors import FormatError, InputError
 from exactmesh.io.as_written import pslg_as_written
+from exactmesh.io.cgshop import is_instance, pslg_from_instance
+from exactmesh.io.dxf import pslg_from_dxf
+from exactmesh.io.geo_interface import pslg_from_wkb
 from exactmesh.io.geojson import pslg_from_geojson_value
 from exactmesh.io.limits import bytes_of
 from exactmesh.io.mesh_json import mesh_from_json
 from exactmesh.io.pslg_json import pslg_from_value
 from exactmesh.io.strict_json import Json, described, parse_json
+from exactmesh.io.svg_path import pslg_from_svg
 from exactmesh.io.text import printable, quoted, text_from_bytes
 from exactmesh.io.triangle_poly import pslg_from_poly
 from exactmesh.io.wkt import KINDS, pslg_from_wkt
 from exactmesh.planar.mesh import Mesh
 from exactmesh.planar.pslg import Pslg
 
-Syntax = Literal["json", "wkt", "poly"]
+Syntax = Literal["json", "wkt", "poly", "svg", "dxf"]
 
-_KNOWN = "exactmesh-pslg/1, GeoJSON, WKT and Triangle's .poly"
+_KNOWN = "exactmesh-pslg/1, GeoJSON, WKT, WKB, Triangle's .poly, SVG, DXF and CG:SHOP instances"
 # Asked only when the content says nothing: then the reader of that format has the better message.
-_BY_EXTENSION: dict[str, Syntax] = {".json": "json", ".geojson": "json", ".wkt": "wkt", ".poly": "poly"}
+_BY_EXTENSION: dict[str, Syntax] = {".json": "json", ".geojson": "json", ".wkt": "wkt", ".poly": "poly",
+                                    ".svg": "svg", ".dxf": "dxf"}
+# A DXF file begins with a comment, code 999, or a section, code 0.
+_DXF = re.compile(r"999\n|0\s*\n\s*SECTION\b")
+# WKB begins with the byte order, which is no character of a text.
+_BYTE_ORDERS = (b"\0", b"\1")
 _WORD = re.compile(r"[A-Za-z]+")
 _WHOLE = re.compile(r"\d+", re.ASCII)
 _FIRST_LINE_BUT_COMMENTS = re.compile(r"(?:\s|#.*)*([^\n#]*)")
@@ -75,7 +84,10 @@ def read_pslg(path: str) -> Source:
             digest.update(node_data)
             return text_from_bytes(node_data)
 
-        pslg = _pslg(text_from_bytes(data), path, None if path == "-" else node_text)
+        if data[:1] in _BYTE_ORDERS or path.lower().endswith(".wkb"):
+            pslg = pslg_from_wkb(data)
+        else:
+            pslg = _pslg(text_from_bytes(data), path, None if path == "-" else node_text)
         return Source(pslg, digest.hexdigest(), path)
 
 
@@ -156,6 +168,10 @@ def _syntax(text: str, path: str) -> Syntax:
     start = text.lstrip()
     if start[0] in '{["':
         return "json"
+    if start[0] == "<":
+        return "svg"
+    if _DXF.match(start):
+        return "dxf"
     word = _WORD.match(start)
     if word and word[0].upper() in (*KINDS, "SRID"):
         return "wkt"
@@ -178,12 +194,18 @@ def _pslg(text: str, path: str, node_text: Callable[[], str] | None) -> Pslg:
             return pslg_from_wkt(text)
         case "poly":
             return pslg_from_poly(text, node_text)
+        case "svg":
+            return pslg_from_svg(text)
+        case "dxf":
+            return pslg_from_dxf(text)
 
 
 def _pslg_from_json(value: Json) -> Pslg:
     if isinstance(value, dict) and "format" in value:
         return pslg_from_value(value)
-    if isinstance(value, dict) and "type" in value:
+    if isinstance(value, dict) and "type" in value and not is_instance(value):
         return pslg_from_geojson_value(value)
+    if is_instance(value):
+        return pslg_from_instance(value)
     what = 'an object without "format" or "type"' if isinstance(value, dict) else described(value)
     raise FormatError("", f"not a format we know: the JSON is {what}; known are {_KNOWN}")

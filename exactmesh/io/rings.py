@@ -54,6 +54,13 @@ class Assembly:
             self._rings.append(Ring(self._polygons, index == 0, self._segments(ring)))
         self._polygons += 1
 
+    def add_even_odd(self, rings: Sequence[Run]) -> None:
+        """Add a polygon of rings of equal standing: what an odd number of them goes around is inside."""
+        for ring in rings:
+            _check_ring(ring)
+            self._rings.append(Ring(self._polygons, True, self._segments(ring)))
+        self._polygons += 1
+
     def pslg(self) -> Pslg:
         """Return the PSLG of the parts so far; raises `FormatError` when there is none."""
         if not self._vertices:

@@ -10,14 +10,13 @@ regions say nothing about the domain and are skipped. Coordinates are the exact 
 """
 
 import re
-from collections.abc import Callable, Iterator
-
-from gmpy2 import mpq, mpz, remove
+from collections.abc import Callable, Iterator, Sequence
 
 from exactmesh.errors import FormatError
 from exactmesh.geometry.point import Point
+from exactmesh.io.decimals import decimal_of
 from exactmesh.io.limits import TEXT_SEPARATORS, check_text
-from exactmesh.io.text import decimal_from_text, quoted, shortened
+from exactmesh.io.text import decimal_from_text, quoted
 from exactmesh.planar.pslg import Edge, Pslg
 
 # More digits than any count or index has, and few enough to convert.
@@ -30,17 +29,12 @@ def pslg_from_poly(text: str, node_text: Callable[[], str] | None = None) -> Psl
     Raises `FormatError` naming the line: for text that is not `.poly`, a vertex that does not exist, a
     segment from a vertex to itself, vertices elsewhere when `node_text` is None, and sizes beyond the limits.
     """
-    lines = _Lines(text)
+    lines = Lines(text)
     vertices, first = _vertices(lines)
     if not vertices:
         if node_text is None:
             raise FormatError("", "the vertices are in a .node file, which is not at hand")
-        try:
-            node_lines = _Lines(node_text())
-            vertices, first = _vertices(node_lines)
-            node_lines.finish()
-        except FormatError as error:
-            raise FormatError(f".node {error.place}".rstrip(), error.reason) from None
+        vertices, first = points_from_node(node_text)
     edges = _segments(lines, first, len(vertices))
     holes = [_point(lines, tokens) for tokens in lines.records("holes", lines.header("holes", 1)[0], 3, 3)]
     if lines.has_more():
@@ -57,15 +51,15 @@ def poly_from_pslg(pslg: Pslg) -> str:
     exactly.
     """
     lines = [f"{len(pslg.vertices)} 2 0 0"]
-    lines += [_written(f"vertices[{i}]", i, p) for i, p in enumerate(pslg.vertices)]
+    lines += node_lines("vertices", pslg.vertices)
     lines.append(f"{len(pslg.edges)} 0")
     lines += [f"{i} {u} {v}" for i, (u, v) in enumerate(pslg.edges)]
     lines.append(f"{len(pslg.holes)}")
-    lines += [_written(f"holes[{i}]", i, p) for i, p in enumerate(pslg.holes)]
+    lines += node_lines("holes", pslg.holes)
     return "\n".join(lines) + "\n"
 
 
-class _Lines:
+class Lines:
     """A cursor over the lines that say something."""
 
     def __init__(self, text: str) -> None:
@@ -75,6 +69,7 @@ class _Lines:
         self._next = 0
 
     def has_more(self) -> bool:
+        """Whether a line is left."""
         return self._next < len(self._lines)
 
     def place(self) -> str:
@@ -82,6 +77,7 @@ class _Lines:
         return f"line {self._lines[self._next - 1][0]}"
 
     def read(self, wanted: str) -> list[str]:
+        """Return the tokens of the next line."""
         if not self.has_more():
             raise FormatError("", f"the file ends where {wanted} is expected")
         self._next += 1
@@ -106,17 +102,37 @@ class _Lines:
             yield tokens
 
     def whole(self, token: str, wanted: str) -> int:
+        """Return the whole number that a token is."""
         if not _WHOLE.fullmatch(token):
             raise FormatError(self.place(), f"{wanted} is expected, not {quoted(token)}")
         return int(token)
 
+    def index(self, token: str, first: int, count: int) -> int:
+        """Return the index from 0 of a vertex, when they are numbered from `first`."""
+        index = self.whole(token, "a vertex") - first
+        if not 0 <= index < count:
+            raise FormatError(self.place(), f"vertex {token} does not exist (there are {count}, from {first})")
+        return index
+
     def finish(self) -> None:
+        """Raise `FormatError` when a line is left."""
         if self.has_more():
             self.read("nothing")
             raise FormatError(self.place(), "the file should end before this line")
 
 
-def _vertices(lines: _Lines) -> tuple[list[Point], int]:
+def points_from_node(node_text: Callable[[], str]) -> tuple[list[Point], int]:
+    """Return the vertices of a `.node` file and the index of the first; raises `FormatError` naming the line."""
+    try:
+        lines = Lines(node_text())
+        vertices, first = _vertices(lines)
+        lines.finish()
+    except FormatError as error:
+        raise FormatError(f".node {error.place}".rstrip(), error.reason) from None
+    return vertices, first
+
+
+def _vertices(lines: Lines) -> tuple[list[Point], int]:
     """Read the vertices; return them and the index of the first, which is 0 or 1."""
     given = lines.header("vertices", 4)
     # Triangle's own defaults for what the line leaves out.
@@ -136,42 +152,25 @@ def _vertices(lines: _Lines) -> tuple[list[Point], int]:
     return points, first
 
 
-def _segments(lines: _Lines, first: int, count: int) -> list[Edge]:
+def _segments(lines: Lines, first: int, count: int) -> list[Edge]:
     edges = []
     # The marker is allowed where the header announces none, as by Triangle itself.
     for tokens in lines.records("segments", lines.header("segments", 2)[0], 3, 4):
-        u, v = (_end(lines, token, first, count) for token in tokens[1:3])
+        u, v = (lines.index(token, first, count) for token in tokens[1:3])
         if u == v:
             raise FormatError(lines.place(), f"both ends are vertex {u + first}: a segment needs two")
         edges.append((u, v))
     return edges
 
 
-def _end(lines: _Lines, token: str, first: int, count: int) -> int:
-    index = lines.whole(token, "a vertex") - first
-    if not 0 <= index < count:
-        raise FormatError(lines.place(), f"vertex {token} does not exist (there are {count}, from {first})")
-    return index
-
-
-def _point(lines: _Lines, tokens: list[str]) -> Point:
+def _point(lines: Lines, tokens: list[str]) -> Point:
     try:
         return Point._make(decimal_from_text(token) for token in tokens[1:3])
     except FormatError as error:
         raise FormatError(lines.place(), error.reason) from None
 
 
-def _written(place: str, index: int, point: Point) -> str:
-    return f"{index} {_decimal(place, point.x)} {_decimal(place, point.y)}"
-
-
-def _decimal(place: str, value: mpq) -> str:
-    """Return the finite decimal that is `value`: one exists when its denominator has no prime but 2 and 5."""
-    rest, twos = remove(value.denominator, 2)
-    rest, fives = remove(rest, 5)
-    if rest != 1:
-        raise FormatError(place, f"{shortened(str(value))} is no finite decimal, and .poly has nothing else")
-    shift = max(twos, fives)
-    digits = str(abs(value.numerator) * mpz(10) ** shift // value.denominator).zfill(shift + 1)
-    whole, part = digits[: len(digits) - shift], digits[len(digits) - shift :]
-    return ("-" if value < 0 else "") + whole + ("." + part if part else "")
+def node_lines(section: str, points: Sequence[Point]) -> list[str]:
+    """Return a line for each point; raises `FormatError` for a coordinate that no decimal spells."""
+    return [f"{i} {decimal_of(p.x, f'{section}[{i}]')} {decimal_of(p.y, f'{section}[{i}]')}"
+            for i, p in enumerate(points)]

@@ -88,7 +88,7 @@ def test_vertices_in_the_node_file_beside(file):
     assert str(caught.value) == f"{path}: .node byte 0: this is not UTF-8 text"
 
 
-KNOWN = "known are exactmesh-pslg/1, GeoJSON, WKT and Triangle's .poly"
+KNOWN = "known are exactmesh-pslg/1, GeoJSON, WKT, WKB, Triangle's .poly, SVG, DXF and CG:SHOP instances"
 
 
 @pytest.mark.parametrize("content, message", [

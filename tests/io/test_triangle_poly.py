@@ -68,7 +68,7 @@ def test_the_text_of_a_box():
 def test_what_no_decimal_spells_is_not_written():
     with pytest.raises(FormatError) as caught:
         poly_from_pslg(Pslg((Point(mpq(0), mpq(0)), Point(mpq(1), mpq(1, 3))), ()))
-    assert str(caught.value) == "vertices[1]: 1/3 is no finite decimal, and .poly has nothing else"
+    assert str(caught.value) == "vertices[1]: 1/3 is no finite decimal, and this format has nothing else"
 
 
 def test_a_full_file():
