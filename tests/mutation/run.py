@@ -66,8 +66,10 @@ LEFT_OUT = (
     "tests/proofs/test_certificates.py::test_the_checker_is_small_and_needs_no_solver",
 )
 # conftest.py of the copy. mutmut runs pytest many times in one process, so nothing may be left in a cache from before
-# the mutation, and Hypothesis must not take offence at being called again. Quick tests go first.
+# the mutation, and Hypothesis must not take offence at being called again. Quick tests go first, and what is there when
+# a session begins is kept from the garbage collector, which would take longer than the tests.
 CONFTEST = """
+import gc
 import json
 import sys
 from pathlib import Path
@@ -85,6 +87,7 @@ def pytest_sessionstart():
             for value in list(vars(module).values()):
                 if hasattr(value, "cache_clear"):
                     value.cache_clear()
+    gc.freeze()
 
 
 def pytest_collection_modifyitems(items):
@@ -119,7 +122,7 @@ def settings(module: str, tests: Sequence[str]) -> str:
     return f"""
 [tool.pytest.ini_options]
 testpaths = ["tests"]
-addopts = "--strict-markers"
+addopts = "--strict-markers -p no:unraisableexception -p no:threadexception"
 
 [tool.mutmut]
 source_paths = ["exactmesh"]
@@ -156,6 +159,11 @@ def prepare(folder: Path, module: str) -> None:
         shutil.copytree(ROOT / name, folder / name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
     source = folder / module
     source.write_text(without_caches(source.read_text(encoding="utf-8")), encoding="utf-8")
+    configure(folder, module)
+
+
+def configure(folder: Path, module: str) -> None:
+    """Write what mutmut and pytest are to do in the copy."""
     (folder / "conftest.py").write_text(CONFTEST, encoding="utf-8")
     (folder / "pyproject.toml").write_text(settings(module, TARGETS[module]), encoding="utf-8")
 
@@ -188,7 +196,7 @@ def gist(folder: Path, name: str) -> str:
     return "\n".join(f"    {line}" for line in lines if line[:1] in "+-" and line[:3] not in ("+++", "---"))
 
 
-def test_module(module: str, folder: Path, again: bool, children: int) -> Outcome:
+def tested(module: str, folder: Path, again: bool, children: int) -> Outcome:
     """Return the outcome for one module; new unless `again`."""
     if again:
         old = outcome(folder, module).survivors
@@ -196,7 +204,7 @@ def test_module(module: str, folder: Path, again: bool, children: int) -> Outcom
             shutil.rmtree(folder / name, ignore_errors=True)
             shutil.copytree(ROOT / "tests", folder / name, ignore=shutil.ignore_patterns("__pycache__"))
         (folder / "mutants" / "mutmut-stats.json").unlink(missing_ok=True)
-        (folder / "pyproject.toml").write_text(settings(module, TARGETS[module]), encoding="utf-8")
+        configure(folder, module)
         if old:
             mutmut(folder, "run", "--max-children", str(children), *old)
     else:
@@ -218,7 +226,7 @@ def main() -> int:
     outcomes: list[Outcome] = []
     for module in args.modules or TARGETS:
         folder = args.folder / module.removesuffix(".py").replace("/", ".")
-        found = test_module(module, folder, args.again, args.children)
+        found = tested(module, folder, args.again, args.children)
         outcomes.append(found)
         print(f"{module}: {found.percent:.1f} % of {found.total}: {found.killed} killed, {found.timed_out} timed out, "
               f"{len(found.survivors)} survived", flush=True)
