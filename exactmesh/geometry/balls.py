@@ -17,6 +17,7 @@ from collections.abc import Sequence
 from functools import reduce
 
 import numpy as np
+from gmpy2 import mpq
 from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
@@ -128,6 +129,15 @@ def exact_balls(values: Sequence[float] | Floats) -> Balls:
     """Return balls for numbers that are floats exactly."""
     mid = np.asarray(values, dtype=np.float64)
     return Balls(mid, np.zeros_like(mid))
+
+
+def ball_of(*values: mpq) -> Balls:
+    """Return balls for rationals: `float` of one is off by less than 2**-52 of its size."""
+    try:
+        mid = np.fromiter(map(float, values), np.float64, len(values))
+    except OverflowError:
+        mid = np.full(len(values), np.inf)
+    return Balls(mid, np.abs(mid) * (2 * _U) + _TINY)
 
 
 def constant(value: float, shape: Balls) -> Balls:

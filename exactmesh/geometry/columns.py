@@ -1,6 +1,6 @@
 """Points with their coordinates as columns of balls, and the predicates and measures of arrays of indices.
 
-`float` of a rational is off by less than 2**-52 of its size. Points far from the origin, as seen from their own extent,
+Points far from the origin, as seen from their own extent,
 are moved near to it beforehand, exactly: everything here depends on differences of points only.
 """
 
@@ -11,13 +11,11 @@ from typing import overload
 import numpy as np
 from gmpy2 import mpq
 
-from exactmesh.geometry.balls import Balls, Floats, Ints, constant, greatest
+from exactmesh.geometry.balls import Balls, Ints, ball_of, constant, greatest
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import orientation
 
-_FLOAT_ERROR = 2.0**-52
-_TINY = 2.0**-1000
 # Points this many times farther away than they are apart are moved.
 _FAR = 16
 
@@ -29,7 +27,7 @@ class Columns(Sequence[Point]):
 
     def __init__(self, points: Sequence[Point]) -> None:
         self.points = points
-        self.x, self.y = (_column([p[axis] for p in points]) for axis in (0, 1))
+        self.x, self.y = (column_of([p[axis] for p in points]) for axis in (0, 1))
 
     @overload
     def __getitem__(self, index: int) -> Point: ...
@@ -132,20 +130,13 @@ class Rows:
         return np.arange(start[-1]) + np.repeat(self.start[rows] - start[:-1], size), start
 
 
-def _column(values: Sequence[mpq]) -> Balls:
-    """Return rounded values, moved by one whole number where they are far away."""
-    mid = _floats(values)
-    if mid.size:
-        low, high = mid.min(), mid.max()
+def column_of(values: Sequence[mpq]) -> Balls:
+    """Return balls for rationals, moved by one whole number where they are far away."""
+    column = ball_of(*values)
+    if len(column):
+        low, high = column.mid.min(), column.mid.max()
         if not np.isfinite(high - low) or max(abs(low), abs(high)) > _FAR * (high - low):
             centre = (min(values) + max(values)) / 2
             whole = mpq(centre.numerator // centre.denominator)
-            mid = _floats([value - whole for value in values])
-    return Balls(mid, np.abs(mid) * _FLOAT_ERROR + _TINY)
-
-
-def _floats(values: Sequence[mpq]) -> Floats:
-    try:
-        return np.fromiter(map(float, values), np.float64, len(values))
-    except OverflowError:
-        return np.full(len(values), np.inf)
+            return ball_of(*(value - whole for value in values))
+    return column

@@ -1,20 +1,58 @@
 """The frame in which one-sided quadrilaterals are triangulated, and what a candidate is."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point, cross, dot, minus
+from exactmesh.steps.heights import feature_squared, height_squared
 from exactmesh.steps.records import Cycle, Piece
 
 _ZERO = mpq(0)
+_ONE = mpq(1)
 
 # Which anchors have fans beside the gaps that get apexes; and the reaches of the fans in heights, in order of trial.
 Mode = Literal["AB", "A", "B"]
 MODES: tuple[Mode, ...] = ("AB", "A", "B")
 REACHES = (2, 1, 3)
+
+
+# A face and the numbers of T-vertices on its three sides, the cycle starting at a corner.
+Face = tuple[Cycle, tuple[int, int, int]]
+
+
+class Trial(NamedTuple):
+    """A triangulation in the frame, not measured yet: its faces counter-clockwise, and new points."""
+
+    faces: list[Face]
+    steiner: tuple[Point, ...]
+
+    def candidate(self, frame: "Frame") -> "Candidate":
+        """Return the triangulation with its value; when that is not positive, it is the value of some face."""
+        return Candidate(self._value(frame.points()), self.cycles, self.steiner)
+
+    @property
+    def cycles(self) -> tuple[Cycle, ...]:
+        """The faces."""
+        return tuple(cycle for cycle, _ in self.faces)
+
+    def _value(self, given: list[Point]) -> mpq:
+        """Return the least signed squared feature size of the faces; stops at the first that is not positive."""
+        least: mpq | None = None
+        for cycle, counts in self.faces:
+            points = [given[v] if v >= 0 else self.steiner[-1 - v] for v in cycle]
+            if len(points) == 3:
+                value = height_squared(*points)
+            else:
+                first, second = 1 + counts[0], 2 + counts[0] + counts[1]
+                corners = (points[0], points[first], points[second])
+                value = feature_squared(corners, (points[1:first], points[first + 1 : second], points[second + 1 :]))
+            if value <= 0:
+                return value
+            least = value if least is None else min(least, value)
+        return least
 
 
 class Candidate(NamedTuple):
@@ -29,8 +67,8 @@ class Candidate(NamedTuple):
 class Frame:
     """A one-sided quadrilateral with u_j = (u[j], 0), u[0] = 0, and the anchors a, b above the T-side.
 
-    Faces refer to u_j by j, to the anchors by `left` and `right`. Lengths are `l` times the true ones,
-    l^2 = `scale_squared`.
+    Faces refer to u_j by j, to the anchors by `left` and `right`. The T-side, of length l, has length 1 in the frame:
+    lengths are 1/l times the true ones, 1/l^2 = `scale_squared`, and the way back is without divisions.
     """
 
     u: tuple[mpq, ...]
@@ -43,7 +81,7 @@ class Frame:
     @property
     def scale_squared(self) -> mpq:
         """The square of the factor by which lengths in the frame are larger."""
-        return dot(self.along, self.along)
+        return 1 / dot(self.along, self.along)
 
     @property
     def left(self) -> int:
@@ -78,10 +116,12 @@ class Frame:
         """
         start, end = 0, len(self.u) - 1
         if mode != "B":
-            while start < len(self.u) - 1 and self.u[start + 1] <= self.a.x + reach * self.a.y:
+            limit = self.a.x + reach * self.a.y
+            while start < len(self.u) - 1 and self.u[start + 1] <= limit:
                 start += 1
         if mode != "A":
-            while end > 0 and self.u[end - 1] >= self.b.x - reach * self.b.y:
+            limit = self.b.x - reach * self.b.y
+            while end > 0 and self.u[end - 1] >= limit:
                 end -= 1
         return range(start, end) if start < end else None
 
@@ -90,14 +130,12 @@ class Frame:
         faces: list[Cycle] = [(j, j + 1, self.left) for j in range(gaps.start)]
         return faces + [(j, j + 1, self.right) for j in range(gaps.stop, len(self.u) - 1)]
 
-    def piece(self, chosen: Candidate) -> Piece:
-        """Return a candidate in the plane, counter-clockwise there."""
-        d, scale = self.along, self.scale_squared
-        side = -1 if self.mirrored else 1
-        steiner = tuple(Point(self.origin.x + (p.x * d.x - side * p.y * d.y) / scale,
-                              self.origin.y + (p.x * d.y + side * p.y * d.x) / scale) for p in chosen.steiner)
-        faces = tuple(face[::-1] for face in chosen.faces) if self.mirrored else chosen.faces
-        return Piece(faces, steiner)
+    def piece(self, faces: Sequence[Cycle], steiner: Iterable[Point]) -> Piece:
+        """Return a triangulation in the plane, counter-clockwise there."""
+        o, d = self.origin, self.along
+        nx, ny = (d.y, -d.x) if self.mirrored else (-d.y, d.x)
+        places = tuple(Point(o.x + p.x * d.x + p.y * nx, o.y + p.x * d.y + p.y * ny) for p in steiner)
+        return Piece(tuple(face[::-1] for face in faces) if self.mirrored else tuple(faces), places)
 
 
 def frame_of(t_side: Sequence[Point], a: Point, b: Point) -> Frame:
@@ -110,10 +148,15 @@ def frame_of(t_side: Sequence[Point], a: Point, b: Point) -> Frame:
     along = minus(end, origin)
     # Twice the area of the quadrilateral is the cross product of its diagonals.
     mirrored = cross(minus(b, origin), minus(a, end)) < 0
+    length_squared = dot(along, along)
+    right, up = along.x / length_squared, along.y / length_squared
     side = -1 if mirrored else 1
 
     def local(p: Point) -> Point:
-        q = minus(p, origin)
-        return Point(dot(q, along), side * cross(along, q))
+        x, y = p.x - origin.x, p.y - origin.y
+        return Point(x * right + y * up, side * (y * right - x * up))
 
-    return Frame(tuple(dot(minus(p, origin), along) for p in t_side), local(a), local(b), origin, along, mirrored)
+    # On the T-side the share of the way is the same in either coordinate.
+    inner = ([(p.y - origin.y) / along.y for p in t_side[1:-1]] if along.y else
+             [(p.x - origin.x) / along.x for p in t_side[1:-1]])
+    return Frame((_ZERO, *inner, _ONE), local(a), local(b), origin, along, mirrored)

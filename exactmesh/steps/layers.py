@@ -11,12 +11,18 @@ from itertools import pairwise
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
-from exactmesh.steps.frame import MODES, REACHES, Candidate, Frame
+from exactmesh.steps.frame import MODES, REACHES, Candidate, Frame, Trial
 from exactmesh.steps.heights import height_squared
 from exactmesh.steps.records import Cycle
 
 
 def layered_candidates(frame: Frame) -> Iterator[Candidate]:
+    """Yield the layered triangulations in the order in which they are tried."""
+    for trial in layered_trials(frame):
+        yield trial.candidate(frame)
+
+
+def layered_trials(frame: Frame) -> Iterator[Trial]:
     """Yield the layered triangulations in the order in which they are tried; none when the clean side is too low."""
     h0 = frame.clean_height()
     if h0 <= 0:
@@ -25,7 +31,7 @@ def layered_candidates(frame: Frame) -> Iterator[Candidate]:
         for reach in REACHES:
             gaps = frame.gaps_between_fans(mode, reach)
             if gaps is not None:
-                yield _Layers(frame, gaps, h0).candidate()
+                yield _Layers(frame, gaps, h0).trial()
 
 
 class _Layers:
@@ -42,8 +48,8 @@ class _Layers:
         self.steiner: list[Point] = []
         self.faces: list[Cycle] = frame.fans(gaps)
 
-    def candidate(self) -> Candidate:
-        """Return the triangulation and its value."""
+    def trial(self) -> Trial:
+        """Return the triangulation."""
         frame, gaps, faces = self.frame, self.gaps, self.faces
         row = [self._between(frame.u[j], frame.u[j + 1], 1) for j in gaps]
         faces += [(j, j + 1, apex) for j, apex in zip(gaps, row, strict=True)]
@@ -52,8 +58,7 @@ class _Layers:
         for height in range(2, self.rows + 1):
             row = self._next(row, height)
         faces.append((frame.left, row[0], frame.right))
-        value = min(height_squared(*(self._point(v) for v in face)) for face in faces)
-        return Candidate(value, tuple(faces), tuple(self.steiner))
+        return Trial([(face, (0, 0, 0)) for face in faces], tuple(self.steiner))
 
     def _point(self, v: int) -> Point:
         return self.given[v] if v >= 0 else self.steiner[-1 - v]

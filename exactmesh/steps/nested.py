@@ -5,9 +5,10 @@ are grouped: a group has a leader E, and its members, which stand at least half 
 segment A E. So the long triangles at A have walls in a ratio of 2 or more and carry T-vertices on one side only. The
 same on the right with B.
 
-A candidate is measured over all its faces; long ones carry T-vertices, listed in the cycle of the face.
+Long faces carry T-vertices, listed in the cycle of the face.
 """
 
+from bisect import bisect_left
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import NamedTuple
@@ -15,15 +16,21 @@ from typing import NamedTuple
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
-from exactmesh.steps.frame import MODES, REACHES, Candidate, Frame, Mode
-from exactmesh.steps.heights import feature_squared, height_squared
-from exactmesh.steps.records import Cycle
+from exactmesh.steps.frame import MODES, REACHES, Candidate, Face, Frame, Mode, Trial
 
 _HEIGHTS = (mpq(1, 5), mpq(23, 100))
 _HEIGHTS_FEW_GAPS = (mpq(1, 5), mpq(1, 4), mpq(1, 3), mpq(2, 5))
 
 
 def nested_candidates(frame: Frame) -> Iterator[Candidate]:
+    """Yield those nested triangulations that are triangulations, in the order in which they are tried."""
+    for trial in nested_trials(frame):
+        candidate = trial.candidate(frame)
+        if candidate.value > 0:
+            yield candidate
+
+
+def nested_trials(frame: Frame) -> Iterator[Trial]:
     """Yield the nested triangulations in the order in which they are tried; none when the clean side is too low."""
     h0 = frame.clean_height()
     if h0 <= 0:
@@ -32,8 +39,8 @@ def nested_candidates(frame: Frame) -> Iterator[Candidate]:
     for mode in MODES:
         for beta in heights:
             for reach in REACHES:
-                if (candidate := _nested(frame, h0, mode, beta * h0, reach)) is not None:
-                    yield candidate
+                if (trial := _nested(frame, h0, mode, beta * h0, reach)) is not None:
+                    yield trial
 
 
 class _Layout(NamedTuple):
@@ -45,43 +52,56 @@ class _Layout(NamedTuple):
     x: list[mpq]
 
 
-def _nested(frame: Frame, h0: mpq, mode: Mode, height: mpq, reach: int) -> Candidate | None:
+def _nested(frame: Frame, h0: mpq, mode: Mode, height: mpq, reach: int) -> Trial | None:
     layout = _layout(frame, h0, mode, reach)
     if layout is None:
         return None
     z, xs = layout.z, layout.x
     a, b = frame.a, frame.b
-    to_left = _groups([xs[i] for i in range(z, -1, -1)], a, height)
+    to_left = _groups(xs[z::-1], a, height)
     # The right side is the left one seen in a mirror.
-    to_right = _groups([-xs[i] for i in range(z, len(xs))], Point(-b.x, b.y), height)
+    to_right = _groups([-x for x in xs[z:]], Point(-b.x, b.y), height)
     if to_left is None or to_right is None:
         return None
     heights = [y for _, y in reversed(to_left)] + [y for _, y in to_right[1:]]
-    steiner = tuple(map(Point, xs, heights))
-    faces = _faces(frame, layout, [g for g, _ in to_left], [g for g, _ in to_right])
-    value = _value(frame.points(), steiner, faces)
-    return None if value <= 0 else Candidate(value, tuple(face for face, _ in faces), steiner)
+    return Trial(_faces(frame, layout, [g for g, _ in to_left], [g for g, _ in to_right]),
+                 tuple(map(Point, xs, heights)))
 
 
 def _layout(frame: Frame, h0: mpq, mode: Mode, reach: int) -> _Layout | None:
-    """Return where the apexes stand; None when the fans of the anchors leave no gap."""
-    u, a, b = frame.u, frame.a, frame.b
+    """Return where the apexes stand; None when the fans of the anchors leave no gap.
+
+    Apex j may stand anywhere between u_j and u_j+1 that is `inset` from both.
+    """
     gaps = frame.gaps_between_fans(mode, reach)
     if gaps is None:
         return None
     start, end = gaps.start, gaps.stop
-    insets = [min((u[j + 1] - u[j]) / 2, h0) for j in range(start, end)]
-    lows = [u[j] + insets[j - start] for j in range(start, end)]
-    highs = [u[j + 1] - insets[j - start] for j in range(start, end)]
-    if mode == "AB":
-        middle = (a.x + b.x) / 2
-        nearest = [min(max(middle, low), high) for low, high in zip(lows, highs, strict=True)]
-        z = min(range(len(nearest)), key=lambda i: abs(nearest[i] - middle))
-        z_x = nearest[z]
+    u = frame.u[start : end + 1]
+    insets = [min((v - w) / 2, h0) for w, v in pairwise(u)]
+    if mode == "A":
+        z, z_x = end - start - 1, u[-1] - insets[-1]
+    elif mode == "B":
+        z, z_x = 0, u[0] + insets[0]
     else:
-        z = end - start - 1 if mode == "A" else 0
-        z_x = highs[z] if mode == "A" else lows[z]
-    return _Layout(start, end, z, [*highs[:z], z_x, *lows[z + 1 :]])
+        z, z_x = _middle(u, insets, (frame.a.x + frame.b.x) / 2)
+    return _Layout(start, end, z, [*(u[j + 1] - insets[j] for j in range(z)), z_x,
+                                   *(u[j] + insets[j] for j in range(z + 1, end - start))])
+
+
+def _middle(u: tuple[mpq, ...], insets: list[mpq], middle: mpq) -> tuple[int, mpq]:
+    """Return which apex can come nearest to the given abscissa, the first on a tie, and its abscissa then."""
+    last = len(insets) - 1
+    # The first apex that can reach the middle or what is right of it: distances fall before it and rise from it on.
+    z = min(bisect_left(u, middle, 1) - 1, last)
+    while z < last and u[z + 1] - insets[z] < middle:
+        z += 1
+    nearest = min(max(middle, u[z] + insets[z]), u[z + 1] - insets[z])
+    if z > 0:
+        before = u[z] - insets[z - 1]
+        if middle - before <= abs(nearest - middle):
+            return z - 1, before
+    return z, nearest
 
 
 def _groups(xs: list[mpq], anchor: Point, height: mpq) -> list[tuple[int, mpq]] | None:
@@ -91,28 +111,28 @@ def _groups(xs: list[mpq], anchor: Point, height: mpq) -> list[tuple[int, mpq]] 
     """
     found: list[tuple[int, mpq]] = []
     group = -1
-    leader = anchor.x
+    left, low = anchor
+    nearest = slope = left
     for x in xs:
-        if group >= 0 and 2 * (x - anchor.x) >= leader - anchor.x:
-            found.append((group, anchor.y + (x - anchor.x) / (leader - anchor.x) * (height - anchor.y)))
+        if group >= 0 and x >= nearest:
+            found.append((group, low + (x - left) * slope))
             continue
-        group, leader = group + 1, x
+        group += 1
         found.append((group, height))
-        if leader <= anchor.x and len(xs) > 1:
-            return None
+        if len(xs) > 1:
+            if x <= left:
+                return None
+            # Members stand at least half as far from the anchor, on the segment to the leader.
+            nearest, slope = (x + left) / 2, (height - low) / (x - left)
     return found
 
 
-# A face and the numbers of T-vertices on its three sides, the cycle starting at a corner.
-_Face = tuple[Cycle, tuple[int, int, int]]
-
-
-def _faces(frame: Frame, layout: _Layout, left_groups: list[int], right_groups: list[int]) -> list[_Face]:
+def _faces(frame: Frame, layout: _Layout, left_groups: list[int], right_groups: list[int]) -> list[Face]:
     """Return the faces; apex i is -1 - i."""
     start, end, z, xs = layout
     a, b, last = frame.left, frame.right, len(xs) - 1
     plain = (0, 0, 0)
-    faces: list[_Face] = [(fan, plain) for fan in frame.fans(range(start, end))]
+    faces: list[Face] = [(fan, plain) for fan in frame.fans(range(start, end))]
     for i in range(len(xs)):
         faces.append(((start + i, start + i + 1, -1 - i), plain))
         if i < last:
@@ -135,20 +155,3 @@ def _runs(apexes: list[int], groups: list[int]) -> list[list[int]]:
     for apex, group in zip(apexes, groups, strict=True):
         runs[group].append(apex)
     return runs
-
-
-def _value(given: list[Point], steiner: tuple[Point, ...], faces: list[_Face]) -> mpq:
-    """Return the least signed squared feature size of the faces; stops at the first that is not positive."""
-    least: mpq | None = None
-    for cycle, counts in faces:
-        points = [given[v] if v >= 0 else steiner[-1 - v] for v in cycle]
-        if len(points) == 3:
-            value = height_squared(*points)
-        else:
-            first, second = 1 + counts[0], 2 + counts[0] + counts[1]
-            corners = (points[0], points[first], points[second])
-            value = feature_squared(corners, (points[1:first], points[first + 1 : second], points[second + 1 :]))
-        if value <= 0:
-            return value
-        least = value if least is None else min(least, value)
-    return least

@@ -28,7 +28,7 @@ from exactmesh.steps.quad import centre_value, centres
 from exactmesh.steps.records import Cycle, Piece
 
 # With more T-vertices only the splits near the ends and near the anchors are tried.
-_ALL_SPLITS = 12
+ALL_SPLITS = 12
 _SPLITS_AT_ENDS = 5
 _HUB_GAPS = range(2, 9)
 _HUB_PLACES = (mpq(1, 2), mpq(3, 10), mpq(7, 10))
@@ -41,7 +41,7 @@ def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: b
     A `proper` one has no T-vertices: layers take the place of nested triangles.
     """
     if a == b:
-        return _single_fan(t_side, a)
+        return fan_of(len(t_side) - 1, doubled_area(t_side[0], t_side[-1], a) > 0)
     frame = frame_of(t_side, a, b)
     wanted = FEATURE_SQUARED * frame.scale_squared
     best: Candidate | None = None
@@ -52,14 +52,19 @@ def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: b
                 break
     if best is None:
         raise ConstructionFailed("one-sided quadrilateral", {"t_side": tuple(t_side), "a": a, "b": b})
-    return frame.piece(best)
+    return frame.piece(best.faces, best.steiner)
 
 
-def _single_fan(t_side: Sequence[Point], a: Point) -> Piece:
-    """Return the fan of a; it runs clockwise when the T-side does."""
-    apex = len(t_side)
-    is_left = doubled_area(t_side[0], t_side[-1], a) > 0
-    return Piece(tuple((j, j + 1, apex) if is_left else (j + 1, j, apex) for j in range(apex - 1)))
+def fan_of(gaps: int, is_left: bool) -> Piece:
+    """Return the fan of a single anchor, on the left of the T-side or not; it is counter-clockwise in the plane."""
+    apex = gaps + 1
+    return Piece(tuple((j, j + 1, apex) if is_left else (j + 1, j, apex) for j in range(gaps)))
+
+
+def split_faces(gaps: int, i: int) -> tuple[Cycle, ...]:
+    """Return the fan of A up to u_i, the fan of B from u_i on, and the triangle A u_i B."""
+    left, right = gaps + 1, gaps + 2
+    return (*((j, j + 1, left if j < i else right) for j in range(gaps)), (left, i, right))
 
 
 def _candidates(frame: Frame, proper: bool) -> Iterator[Candidate]:
@@ -74,11 +79,11 @@ def _candidates(frame: Frame, proper: bool) -> Iterator[Candidate]:
 
 
 def _splits(frame: Frame) -> Iterator[Candidate]:
-    """Yield, for T-vertices u_i, the fan of A up to u_i, the fan of B from u_i on, and the triangle A u_i B."""
+    """Yield the splits at some or all u_i."""
     points = frame.points()
     us, a, b = points[:-2], frame.a, frame.b
     m = len(us) - 1
-    tried = range(m + 1) if m <= _ALL_SPLITS else _split_places(frame)
+    tried = range(m + 1) if m <= ALL_SPLITS else _split_places(frame)
     of_a = [height_squared(us[j], us[j + 1], a) for j in range(m)]
     of_b = [height_squared(us[j], us[j + 1], b) for j in range(m)]
     up_to, from_on = _running_least(of_a), _running_least(of_b[::-1])[::-1]
@@ -88,8 +93,7 @@ def _splits(frame: Frame) -> Iterator[Candidate]:
             value = min(value, up_to[i - 1])
         if i < m:
             value = min(value, from_on[i])
-        faces: list[Cycle] = [(j, j + 1, frame.left if j < i else frame.right) for j in range(m)]
-        yield Candidate(value, (*faces, (frame.left, i, frame.right)))
+        yield Candidate(value, split_faces(m, i))
 
 
 def _split_places(frame: Frame) -> list[int]:

@@ -1,55 +1,105 @@
-"""Collects faces and new vertices as steps make them."""
+"""Collects faces and new vertices as steps make them; small regions are triangulated together at the end."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from typing import Literal
 
+from exactmesh.geometry.columns import Columns, indices
 from exactmesh.geometry.point import Point
-from exactmesh.geometry.predicates import doubled_area
-from exactmesh.steps.one_sided import triangulate_one_sided
-from exactmesh.steps.quad import quad
+from exactmesh.steps.pieces import OneSided, triangulate_one_sided_ones, triangulate_quads
 from exactmesh.steps.records import Cycle, Patch, Piece
+
+_Sort = Literal["vertex", "face", "triangle", "quad", "one-sided"]
+# A triangle that turns right as given, and one that turns left.
+_TURNS = (Piece(((0, 2, 1),)), Piece(((0, 1, 2),)))
 
 
 class PatchBuilder:
-    """Faces and new vertices as they are made; `proper` asks for faces of three vertices."""
+    """Faces and new vertices as they are made; `proper` asks for faces of three vertices.
+
+    A vertex has a number at once, by which it is known here. In the patch that comes out, vertices are numbered in the
+    order in which they, and the quadrilaterals that get further ones, were added.
+    """
 
     def __init__(self, points: Sequence[Point], proper: bool = False) -> None:
         self.proper = proper
         self.points = list(points)
         self.first = len(points)
-        self.faces: list[Cycle] = []
         self.on_edge: list[tuple[int, int]] = []
+        self._order: list[_Sort] = []
+        self._faces: list[Cycle] = []
+        self._triangles: list[Cycle] = []
+        self._quads: list[Cycle] = []
+        self._one_sided: list[OneSided] = []
 
     def finished(self) -> Patch:
         """Return what was made."""
-        return Patch(self.first, tuple(self.points[self.first :]), tuple(self.faces), tuple(self.on_edge))
+        number = list(range(self.first))
+        new: list[Point] = []
+        faces: list[Cycle] = []
+        made = self._made()
+        for sort in self._order:
+            if sort == "vertex":
+                new.append(self.points[len(number)])
+                number.append(self.first + len(new) - 1)
+                continue
+            piece, names = next(made[sort])
+            places = [number[v] for v in names]
+            if piece.steiner:
+                # New vertices from the last to the first, so that -1 - i counts from the end.
+                end = self.first + len(new)
+                places += range(end + len(piece.steiner) - 1, end - 1, -1)
+                new += piece.steiner
+            for face in piece.faces:
+                if len(face) == 3:
+                    i, j, k = face
+                    faces.append((places[i], places[j], places[k]))
+                else:
+                    faces.append(tuple([places[v] for v in face]))
+        return Patch(self.first, tuple(new), tuple(faces), tuple((edge, number[v]) for edge, v in self.on_edge))
+
+    def _made(self) -> dict[_Sort, Iterator[tuple[Piece, Sequence[int]]]]:
+        """Return the pieces of each sort in the order in which they were added, with the vertices they refer to."""
+        points = Columns(self.points)
+        left = points.turns(*indices(chain.from_iterable(self._triangles)).reshape(-1, 3).T) > 0
+        return {
+            "face": ((Piece((tuple(range(len(face))),)), face) for face in self._faces),
+            "triangle": zip((_TURNS[turn] for turn in left.tolist()), self._triangles, strict=True),
+            "quad": zip(triangulate_quads(points, self._quads), self._quads, strict=True),
+            "one-sided": zip(triangulate_one_sided_ones(points, self._one_sided, self.proper),
+                             ((*t_side, a, b) for t_side, a, b in self._one_sided), strict=True)}
 
     def add(self, point: Point) -> int:
         """Return the number of a new vertex."""
+        self._order.append("vertex")
         self.points.append(point)
         return len(self.points) - 1
 
     def add_face(self, cycle: Cycle) -> None:
         """Add a face given counter-clockwise, with all its vertices."""
-        self.faces.append(cycle)
+        self._order.append("face")
+        self._faces.append(cycle)
 
     def add_triangle(self, a: int, b: int, c: int) -> None:
         """Add a triangle given either way round."""
-        turns_left = doubled_area(self.points[a], self.points[b], self.points[c]) > 0
-        self.faces.append((a, b, c) if turns_left else (a, c, b))
+        self._order.append("triangle")
+        self._triangles.append((a, b, c))
 
     def add_quad(self, corners: Sequence[int]) -> None:
         """Triangulate a clean quadrilateral given as bottom left, bottom right, top right, top left."""
-        self.add_piece(quad([self.points[v] for v in corners]), corners)
+        self._order.append("quad")
+        self._quads.append(tuple(corners))
 
     def add_one_sided(self, t_side: Sequence[int], a: int, b: int) -> None:
         """Triangulate a quadrilateral with T-vertices on one side only; a T-side of one vertex is a point."""
         if len(t_side) == 1:
             self.add_triangle(t_side[0], a, b)
             return
-        piece = triangulate_one_sided([self.points[v] for v in t_side], self.points[a], self.points[b], self.proper)
-        self.add_piece(piece, (*t_side, a, b))
+        self._order.append("one-sided")
+        self._one_sided.append(OneSided(tuple(t_side), a, b))
 
     def add_piece(self, piece: Piece, names: Sequence[int]) -> None:
         """Take over a piece whose index i stands for the vertex names[i]."""
         new = [self.add(p) for p in piece.steiner]
-        self.faces += [tuple(names[v] if v >= 0 else new[-1 - v] for v in face) for face in piece.faces]
+        for face in piece.faces:
+            self.add_face(tuple(names[v] if v >= 0 else new[-1 - v] for v in face))

@@ -16,7 +16,7 @@ from exactmesh.steps.constants import FEATURE_SQUARED
 from exactmesh.steps.heights import height_squared
 from exactmesh.steps.records import Piece
 
-_DIAGONALS = (((0, 1, 2), (0, 2, 3)), ((0, 1, 3), (1, 2, 3)))
+DIAGONALS = (((0, 1, 2), (0, 2, 3)), ((0, 1, 3), (1, 2, 3)))
 _HEIGHTS = (mpq(3, 10), mpq(1, 2), mpq(7, 10))
 
 
@@ -29,7 +29,7 @@ def quad(corners: Sequence[Point], wanted_squared: mpq = FEATURE_SQUARED) -> Pie
         return Piece(())
     if len(distinct) == 3:
         return Piece((tuple(distinct),))
-    best, diagonal = max(((_least(corners, faces), faces) for faces in _DIAGONALS), key=lambda item: item[0])
+    best, diagonal = max(((_least(corners, faces), faces) for faces in DIAGONALS), key=lambda item: item[0])
     if best >= wanted_squared:
         return Piece(diagonal)
     chosen = Piece(diagonal)

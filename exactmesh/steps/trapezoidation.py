@@ -9,14 +9,19 @@ How     one sweep upwards over the levels that carry vertices. The edges crossed
 Check   `trapezoidation_check.py`
 """
 
-from bisect import bisect_left, bisect_right
 from collections import defaultdict
+from collections.abc import Sequence
+from math import inf
 from typing import NamedTuple
 
 from gmpy2 import mpq
 
+from exactmesh.geometry.columns import column_of
+from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
+
+_HALF = mpq(1, 2)
 
 
 class _Open(NamedTuple):
@@ -54,6 +59,7 @@ class _Sweep:
                 self.lower[e], self.upper[e] = b, a
             self.starting[self.lower[e]].append(e)
             self.ending[self.upper[e]].append(e)
+        self.filter = _Filter(offset, self.lower, self.upper)
         self.status: list[int] = []
         self.open: dict[int, _Open] = {}
         self.trapezoids: list[Trapezoid] = []
@@ -66,6 +72,7 @@ class _Sweep:
             rows[level].append(v)
         for level in sorted(rows):
             self._pass(level, sorted(rows[level], key=self.x.__getitem__))
+        note("place in the sweep", self.filter.asked, self.filter.exactly)
         return Trapezoidation(self._first, tuple(self.chord_ends), tuple(self.chord_edges), tuple(self.trapezoids))
 
     @property
@@ -74,48 +81,60 @@ class _Sweep:
 
     def _pass(self, level: int, row: list[int]) -> None:
         """Move the sweep line over one level, which carries the vertices `row` from left to right."""
-        xs = [self.x[v] for v in row]
-        touched = self._touched(level, row)
+        places = [self.filter.place(self.status, v, level) for v in row]
+        touched = self._touched(row, places)
         ends: dict[int, int] = {}
         for left in touched:
-            self._close(left, level, row, xs, ends)
-        for v in row:
-            at = bisect_left(self.status, self.x[v], key=lambda e: self._x_at(e, level))
-            self.status[at : at + len(self.ending[v])] = sorted(self.starting[v], key=self._slope)
+            self._close(left, level, row, ends)
+        self._replace(row, places)
         going_on = [e for e in touched if self.level[self.upper[e]] > level]
         begun = [e for v in row for e in self.starting[v] if self.is_left[e]]
         for left in going_on + begun:
-            self._open(left, level, row, xs, ends)
+            self._open(left, level, row, ends)
 
-    def _touched(self, level: int, row: list[int]) -> list[int]:
+    def _touched(self, row: list[int], places: list[int]) -> list[int]:
         """Return the left legs of the open trapezoids that a vertex of the row lies on, each once."""
         touched: dict[int, None] = {}
-        for v in row:
-            at = bisect_left(self.status, self.x[v], key=lambda e: self._x_at(e, level))
+        status, is_left = self.status, self.is_left
+        for v, at in zip(row, places, strict=True):
             if self.ending[v]:
-                for e in self.status[at : at + len(self.ending[v])]:
-                    left = e if self.is_left[e] else self.status[self._index(e, level) - 1]
-                    touched[left] = None
-            elif at and self.is_left[self.status[at - 1]]:
-                touched[self.status[at - 1]] = None
+                for place in range(at, at + len(self.ending[v])):
+                    touched[status[place] if is_left[status[place]] else status[place - 1]] = None
+            elif at and is_left[status[at - 1]]:
+                touched[status[at - 1]] = None
         return list(touched)
 
-    def _close(self, left: int, level: int, row: list[int], xs: list[mpq], ends: dict[int, int]) -> None:
+    def _replace(self, row: list[int], places: list[int]) -> None:
+        """Put the edges that start at the vertices of the row in place of those that end there."""
+        status = self.status
+        if len(row) < _MANY:
+            for v, at in zip(reversed(row), reversed(places), strict=True):
+                status[at : at + len(self.ending[v])] = self.filter.from_the_left(self.starting[v])
+            return
+        merged: list[int] = []
+        end = 0
+        for v, at in zip(row, places, strict=True):
+            merged += status[end:at]
+            merged += self.filter.from_the_left(self.starting[v])
+            end = at + len(self.ending[v])
+        self.status = merged + status[end:]
+
+    def _close(self, left: int, level: int, row: list[int], ends: dict[int, int]) -> None:
         begun = self.open.pop(left)
         tl, tr = self._leg_at(left, level, ends), self._leg_at(begun.right, level, ends)
         self.trapezoids.append(Trapezoid(begun.low, level, left, begun.right, begun.bl, begun.br, tr, tl,
-                                         begun.bottom, self._between(left, begun.right, level, row, xs)))
+                                         begun.bottom, self._between(left, begun.right, level, row)))
 
-    def _open(self, left: int, level: int, row: list[int], xs: list[mpq], ends: dict[int, int]) -> None:
-        right = self.status[self._index(left, level) + 1]
+    def _open(self, left: int, level: int, row: list[int], ends: dict[int, int]) -> None:
+        right = self.status[self.filter.index(self.status, left, level) + 1]
         bl, br = self._leg_at(left, level, ends), self._leg_at(right, level, ends)
-        self.open[left] = _Open(level, right, bl, br, self._between(left, right, level, row, xs))
+        self.open[left] = _Open(level, right, bl, br, self._between(left, right, level, row))
 
-    def _between(self, left: int, right: int, level: int, row: list[int], xs: list[mpq]) -> Cycle:
+    def _between(self, left: int, right: int, level: int, row: list[int]) -> Cycle:
         """Return the vertices of the row strictly between two legs."""
-        start = bisect_right(xs, self._x_at(left, level))
-        end = bisect_left(xs, self._x_at(right, level))
-        return tuple(self.offset.first + v for v in row[start:end])
+        start = self.filter.count_before(row, left, level, with_equal=True)
+        end = self.filter.count_before(row, right, level, with_equal=False)
+        return tuple([self.offset.first + v for v in row[start:end]])
 
     def _leg_at(self, e: int, level: int, ends: dict[int, int]) -> int:
         """Return the vertex at which edge e meets the level; a new chord end when e has no vertex there."""
@@ -124,22 +143,120 @@ class _Sweep:
                 return self.offset.first + v
         if e not in ends:
             ends[e] = self._first + len(self.chord_ends)
-            self.chord_ends.append(Point(self._x_at(e, level), self.offset.height(level)))
+            self.chord_ends.append(Point(self.filter.x_at(e, level), self.offset.height(level)))
             self.chord_edges.append(e)
         return ends[e]
 
-    def _index(self, e: int, level: int) -> int:
-        """Return the place of edge e in the status; edges that start from one vertex share their abscissa."""
-        at = bisect_left(self.status, self._x_at(e, level), key=lambda f: self._x_at(f, level))
-        while self.status[at] != e:
-            at += 1
-        return at
 
-    def _x_at(self, e: int, level: int) -> mpq:
+# Numbers of levels up to this are exact in floats, halves included.
+_FEW = 1 << 50
+# With so many vertices on a level the status is made anew rather than changed in so many places.
+_MANY = 16
+
+
+class _Filter:
+    """Places of edges at levels: floats with an error bound, and exact numbers where they leave an order open.
+
+    With R the greatest error of a rounded abscissa and M the greatest abscissa, a slope times a number of levels up to
+    the edge's is off by at most 2 R + 2**-51 (2 M), a place by R + 2**-52 (2 M) more, and the difference of two of them
+    by twice that and 2**-53 (4 M): less than `error` = 8 R + 2**-47 M.
+    """
+
+    def __init__(self, offset: Offset, lower: Sequence[int], upper: Sequence[int]) -> None:
+        self.x, self.level = offset.x, offset.level
+        self.lower, self.upper = lower, upper
+        column = column_of(offset.x)
+        xs = self.rounded = column.mid.tolist()
+        self.error = float(8 * column.rad.max() + 2.0**-47 * abs(column.mid).max()) if xs else 0.0
+        self.base = min(self.level, default=0)
+        if max(self.level, default=0) - self.base >= _FEW:
+            self.error = inf
+        height = self.height = [self._height(level) for level in self.level]
+        self.slope = [(xs[b] - xs[a]) / (height[b] - height[a]) if height[a] != height[b] else 0.0
+                      for a, b in zip(lower, upper, strict=True)]
+        self.asked = self.exactly = 0
+
+    def _height(self, level: int) -> float:
+        """Return the number of levels from the lowest one, exactly; where that is too much for floats, anything."""
+        return float(level - self.base) if self.error < inf else 0.0
+
+    def x_at(self, e: int, level: int | mpq) -> mpq:
+        """Return the abscissa of edge e at a level."""
         a, b = self.lower[e], self.upper[e]
         x, low = self.x[a], self.level[a]
         return x + (self.x[b] - x) * (level - low) / (self.level[b] - low)
 
-    def _slope(self, e: int) -> mpq:
+    def place(self, status: Sequence[int], v: int, level: int) -> int:
+        """Return how many edges of the status are left of vertex v, which is on the level."""
+        lower, upper, xs, heights, slope, error = (self.lower, self.upper, self.rounded, self.height, self.slope,
+                                                   self.error)
+        x, height = xs[v], self._height(level)
+        start, end = 0, len(status)
+        while start < end:
+            middle = (start + end) >> 1
+            e = status[middle]
+            self.asked += 1
+            a = lower[e]
+            off = xs[a] + slope[e] * (height - heights[a]) - x
+            if off < -error:
+                start = middle + 1
+            elif off > error or upper[e] == v or self._is_exactly(self.x_at(e, level) >= self.x[v]):
+                end = middle
+            else:
+                start = middle + 1
+        return start
+
+    def index(self, status: Sequence[int], wanted: int, level: int) -> int:
+        """Return the place of an edge in the status; all edges there go on above the level."""
+        lower, xs, heights, slope, error = self.lower, self.rounded, self.height, self.slope, self.error
+        # Half a level higher no two edges meet.
+        height = self._height(level) + 0.5
+        x = xs[lower[wanted]] + slope[wanted] * (height - heights[lower[wanted]])
+        start, end = 0, len(status)
+        while True:
+            middle = (start + end) >> 1
+            e = status[middle]
+            if e == wanted:
+                return middle
+            self.asked += 1
+            off = xs[lower[e]] + slope[e] * (height - heights[lower[e]]) - x
+            if off < -error or (off <= error and self._is_exactly(
+                    self.x_at(e, level + _HALF) < self.x_at(wanted, level + _HALF))):
+                start = middle + 1
+            else:
+                end = middle
+
+    def count_before(self, row: Sequence[int], e: int, level: int, with_equal: bool) -> int:
+        """Return how many vertices of a row on the level are left of edge e, or also those on it."""
+        a, b, xs, error = self.lower[e], self.upper[e], self.rounded, self.error
+        x = xs[a] + self.slope[e] * (self._height(level) - self.height[a])
+        start, end = 0, len(row)
+        while start < end:
+            middle = (start + end) >> 1
+            v = row[middle]
+            self.asked += 1
+            off = xs[v] - x
+            if v in (a, b):
+                is_before = with_equal
+            elif abs(off) > error:
+                is_before = off < 0
+            else:
+                exact = self.x_at(e, level)
+                is_before = self._is_exactly(self.x[v] <= exact if with_equal else self.x[v] < exact)
+            if is_before:
+                start = middle + 1
+            else:
+                end = middle
+        return start
+
+    def from_the_left(self, edges: Sequence[int]) -> Sequence[int]:
+        """Return edges that start at one vertex from left to right."""
+        return edges if len(edges) < 2 else sorted(edges, key=self._exact_slope)
+
+    def _exact_slope(self, e: int) -> mpq:
         a, b = self.lower[e], self.upper[e]
         return (self.x[b] - self.x[a]) / (self.level[b] - self.level[a])
+
+    def _is_exactly(self, outcome: bool) -> bool:
+        self.exactly += 1
+        return bool(outcome)

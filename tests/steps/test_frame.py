@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from exactmesh.geometry.distance import distance_squared
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import doubled_area
-from exactmesh.steps.frame import Candidate, Frame, frame_of
+from exactmesh.steps.frame import Frame, frame_of
 
 numbers = st.fractions(min_value=-9, max_value=9, max_denominator=12)
 points = st.builds(point, numbers, numbers)
@@ -31,14 +31,15 @@ def frames(draw):
 
 def test_a_level_t_side_below_its_anchors():
     frame = frame_of([point(1, 1), point(2, 1), point(3, 1)], point(1, 4), point(3, 4))
-    assert frame.u == (0, 2, 4) and frame.a == (0, 6) and frame.b == (4, 6) and not frame.mirrored
-    assert frame.scale_squared == 4 and (frame.left, frame.right) == (3, 4)
-    assert frame.points() == [(0, 0), (2, 0), (4, 0), (0, 6), (4, 6)]
+    assert frame.u == (0, mpq(1, 2), 1) and not frame.mirrored
+    assert frame.a == (0, mpq(3, 2)) and frame.b == (1, mpq(3, 2))
+    assert frame.scale_squared == mpq(1, 4) and (frame.left, frame.right) == (3, 4)
+    assert frame.points() == [(0, 0), (mpq(1, 2), 0), (1, 0), (0, mpq(3, 2)), (1, mpq(3, 2))]
 
 
 def test_a_level_t_side_above_its_anchors_is_mirrored():
     frame = frame_of([point(1, 1), point(3, 1)], point(1, -2), point(3, -2))
-    assert frame.mirrored and frame.a == (0, 6) and frame.b == (4, 6)
+    assert frame.mirrored and frame.a == (0, mpq(3, 2)) and frame.b == (1, mpq(3, 2))
 
 
 def test_the_area_decides_the_side_and_not_one_anchor():
@@ -54,10 +55,10 @@ def test_a_quadrilateral_without_area_is_not_mirrored():
 
 @laws
 @given(frames())
-def test_lengths_are_scaled_by_the_length_of_the_t_side(given_frame):
+def test_lengths_are_divided_by_the_length_of_the_t_side(given_frame):
     frame, t_side, a, b = given_frame
     found, places = frame.points(), [*t_side, a, b]
-    assert frame.scale_squared == distance_squared(t_side[0], t_side[-1])
+    assert frame.scale_squared == 1 / distance_squared(t_side[0], t_side[-1])
     for p, q in zip(found, places, strict=True):
         for r, s in zip(found, places, strict=True):
             assert distance_squared(p, r) == frame.scale_squared * distance_squared(q, s)
@@ -80,7 +81,7 @@ def test_the_quadrilateral_lies_above(given_frame):
 @given(frames())
 def test_the_way_back_finds_every_point_again(given_frame):
     frame, t_side, a, b = given_frame
-    piece = frame.piece(Candidate(mpq(1), ((0, 1, 2),), tuple(frame.points())))
+    piece = frame.piece([(0, 1, 2)], frame.points())
     assert list(piece.steiner) == [*t_side, a, b]
     assert piece.faces == (((2, 1, 0),) if frame.mirrored else ((0, 1, 2),))
 
