@@ -57,7 +57,7 @@ class Drawing {
     const gone = new Set([v]);
     if (ends.length === 2) {
       const joined = rest.some(([a, b]) => ends.includes(a) && ends.includes(b));
-      if (!joined) rest.push(mine[0][1] === v ? ends : ends.toReversed());
+      if (!joined) rest = rest.toSpliced(edges.indexOf(mine[0]), 0, mine[0][1] === v ? ends : ends.toReversed());
       else if (ends.every(end => rest.filter(edge => edge.includes(end)).length === 1)) {
         rest = rest.filter(edge => !ends.every(end => edge.includes(end)));
         for (const end of ends) gone.add(end);

@@ -15,6 +15,7 @@ class Editor {
     this.frame = Frame.around(vertices.map(p => p[0]), vertices.map(p => p[1]));
     this.lattice = new Lattice(Rational.parse(this.$("spacing").value));
     this.view = new View(document.querySelector(".stage"));
+    this.view.margin = 0.15;
     this.mode = "move";
     this.ring = [];
     this.chosen = -1;
@@ -255,7 +256,7 @@ class Editor {
       this.view.home = [Math.min(...places.map(p => p[0])), Math.min(...places.map(p => p[1])),
                         Math.max(...places.map(p => p[0])), Math.max(...places.map(p => p[1]))];
     }
-    this.view.flyTo(this.view.camera.showing(this.view.home, 0.15), fly);
+    this.view.fit(fly);
   }
 
   #drawTop() {

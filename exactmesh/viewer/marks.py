@@ -23,7 +23,7 @@ from exactmesh.steps.paper_interior_check import boundary
 from exactmesh.steps.records import Offset, PaperTube, Trapezoidation
 from exactmesh.viewer.stages import ring_edges
 
-_NUMBER = r"-?\d{1,2000}(?:/\d{1,2000}|\.\d{1,2000})?"
+_NUMBER = r"-?\d{1,2000}(?:/[1-9]\d{0,2000}|\.\d{1,2000})?"
 _POINT = re.compile(rf"\(({_NUMBER}), ({_NUMBER})\)", re.ASCII)
 
 
@@ -73,15 +73,15 @@ class Places:
             elif name in ("face", "trapezoid", "rectangle", "ring"):
                 cycles += self._cycle(name, value, numbers)
             points += self._points(value)
-        return Marks(tuple(vertices), tuple(edges), tuple(cycle for cycle in cycles if cycle), tuple(points))
+        return Marks(tuple(vertices), tuple(edges), tuple(cycles), tuple(points))
 
     def _within(self, numbers: Sequence[int]) -> list[int]:
         return [v for v in numbers if 0 <= v < len(self.mesh.vertices)]
 
     def _edge(self, value: object, numbers: Sequence[int]) -> Iterator[Edge]:
         """Yield a pair of vertices, or the input's edge of that number."""
-        if isinstance(value, int):
-            numbers = self.edges[value] if 0 <= value < len(self.edges) else ()
+        if numbers and isinstance(value, int):
+            numbers = self.edges[numbers[0]] if 0 <= numbers[0] < len(self.edges) else ()
         if len(inside := self._within(numbers)) == 2:
             yield inside[0], inside[1]
 
@@ -89,24 +89,28 @@ class Places:
         """Yield an edge of Q by its number, or a pair of vertices of Q by theirs."""
         if self.q is None or not all(0 <= k < len(self.ring) for k in numbers):
             return
-        if isinstance(value, int):
-            yield self.ring[value]
+        if numbers and isinstance(value, int):
+            yield self.ring[numbers[0]]
         elif len(numbers) == 2:
             yield self.q.first + numbers[0], self.q.first + numbers[1]
 
     def _cycle(self, name: str, value: object, numbers: Sequence[int]) -> Iterator[Cycle]:
+        if not numbers:
+            return
         if not isinstance(value, int):
             if name == "face" and len(inside := self._within(numbers)) == len(numbers):
                 yield tuple(inside)
-        elif name == "face" and 0 <= value < len(self.mesh.faces):
-            yield tuple(self._within(self.mesh.faces[value]))
-        elif name == "trapezoid" and self.trapezoidation and 0 <= value < len(self.trapezoidation.trapezoids):
-            yield boundary(self.trapezoidation.trapezoids[value])
-        elif name == "rectangle" and self.tube and 0 <= value < len(self.tube.rectangles):
-            record = self.tube.rectangles[value]
+            return
+        number = numbers[0]
+        if name == "face" and 0 <= number < len(self.mesh.faces):
+            yield self.mesh.faces[number]
+        elif name == "trapezoid" and self.trapezoidation and 0 <= number < len(self.trapezoidation.trapezoids):
+            yield boundary(self.trapezoidation.trapezoids[number])
+        elif name == "rectangle" and self.tube and 0 <= number < len(self.tube.rectangles):
+            record = self.tube.rectangles[number]
             yield (*record.side, record.a_below, record.b_below)
-        elif name == "ring" and self.q is not None and 0 <= value < len(self.q.rings):
-            yield tuple(self.q.first + k for k in range(*self.q.rings[value]))
+        elif name == "ring" and self.q is not None and 0 <= number < len(self.q.rings):
+            yield tuple(self.q.first + k for k in range(*self.q.rings[number]))
 
     def _points(self, value: object) -> Iterator[Point]:
         """Yield the points spelled in a text or in a list of texts, in the input's units."""

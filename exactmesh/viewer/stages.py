@@ -142,7 +142,7 @@ class _Curve:
                                 for ring in self.curve.rings], within=False)
         chords = self._edges([[self._numbers(corner.vertices) for corner in ring] for ring in self.curve.rings],
                              within=True)
-        says = f"the offset at a quarter of the mfs: {len(straight)} segments and {len(arcs)} arcs"
+        says = f"the offset at a quarter of the mfs: segments {len(straight)}, arcs {len(arcs)}"
         yield Stage("P2", says, straight, arcs=arcs)
         yield Stage("P3", "wide arcs become two chords, narrow ones are prolonged to a corner", chords)
 

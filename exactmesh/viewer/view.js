@@ -20,6 +20,8 @@ class View {
     this.scene = null;
     this.step = null;
     this.home = [-1, -1, 1, 1];
+    this.margin = 0.06;
+    this.isHome = true;
     this.pointers = new Map();
     this.keyboard = false;
     this.cost = 0;
@@ -42,12 +44,12 @@ class View {
   }
 
   resize() {
-    const { clientWidth: width, clientHeight: height } = this.stage, first = this.camera.width === 1;
+    const { clientWidth: width, clientHeight: height } = this.stage;
     const ratio = Math.min(2, window.devicePixelRatio || 1);
     this.camera.width = Math.max(1, width);
     this.camera.height = Math.max(1, height);
     this.painter.resize(this.camera.width, this.camera.height, ratio);
-    if (first) this.fit(false);
+    if (this.isHome) this.fit(false);
     this.redraw();
   }
 
@@ -74,13 +76,16 @@ class View {
     return this.cost;
   }
 
+  /** Shows all; as long as nobody moves the camera it stays so when the window changes. */
   fit(fly = true) {
-    this.flyTo(this.camera.showing(this.home), fly);
+    this.flyTo(this.camera.showing(this.home, this.margin), fly);
+    this.isHome = true;
   }
 
   /** Goes to a pose of the camera: at once, or over a third of a second for those who do not mind things moving. */
   flyTo(pose, fly = true) {
     this.flight = null;
+    this.isHome = false;
     if (!fly || matchMedia("(prefers-reduced-motion: reduce)").matches) {
       this.camera.moveTo(pose);
     } else {
@@ -90,7 +95,7 @@ class View {
   }
 
   /** Flies to a box, shown large enough to be seen and with its surroundings. */
-  flyToBox(box, share = 0.3) {
+  flyToBox(box, share = 0.22) {
     const least = 1e-13, [x0, y0, x1, y1] = box, size = Math.max(x1 - x0, y1 - y0);
     const pose = this.camera.showing(size > least ? box : [x0 - 0.01, y0 - 0.01, x1 + 0.01, y1 + 0.01], share);
     this.flyTo(pose);
@@ -118,6 +123,7 @@ class View {
   }
 
   #movedNow() {
+    this.isHome = false;
     this.moved = performance.now();
     this.redraw();
     if (this.keyboard) this.onHover(...this.cross());

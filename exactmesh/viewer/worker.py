@@ -1,6 +1,7 @@
 """A process that evaluates polygons for the editor: requests in, a JSON object a line, parts of answers out.
 
-It is a process of its own so that an input that takes too long can be stopped; it ends when its input does.
+An answer begins with the part "ready", once the process has started, and has the part "end" at last. It is a process of
+its own so that an input that takes too long can be stopped; it ends when its input does.
 """
 
 import json
@@ -18,6 +19,7 @@ def main() -> None:
     """Answer requests {"pslg": .., "claims": true or false}, one after the other."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server ends its workers
     for line in sys.stdin:
+        _send({"part": "ready"})
         try:
             request = parse_json(line)
             if not isinstance(request, dict) or "pslg" not in request:

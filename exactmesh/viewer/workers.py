@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator, Mapping
 
 Part = Mapping[str, object]
+_START_SECONDS = 60.0
 
 
 class Workers:
@@ -31,11 +32,12 @@ class Workers:
         The last part is "end", "timeout", "superseded" or "stopped".
         """
         worker = self._take()
-        deadline = time.monotonic() + self.seconds
         name = ""
         try:
             worker.send(request)
-            while name != "end":
+            line = worker.line(_START_SECONDS)  # the first line says that it is ready: the time is for the request
+            deadline = time.monotonic() + self.seconds
+            while line and name != "end":
                 line = worker.line(max(0.0, deadline - time.monotonic()))
                 if not line:
                     break
