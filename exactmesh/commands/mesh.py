@@ -11,6 +11,7 @@ from exactmesh.claims.run import ConstructionName, Run, construction_for
 from exactmesh.commands.construction import add_construction
 from exactmesh.commands.exit_status import FAILS, HOLDS
 from exactmesh.commands.limits import add_limits
+from exactmesh.commands.optimization import add_optimization, check_optimization, optimized
 from exactmesh.commands.options import Subparsers, add_box, add_quiet, read_source
 from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
@@ -32,6 +33,7 @@ def add(commands: Subparsers) -> None:
                          "internal: proper, with vertices on the boundary, keeps the internal feature size; "
                          "classic: no new vertices, no promise")
     command.add_argument("--optimal", action="store_true", help="the best classic mesh of one simple polygon")
+    add_optimization(command)
     add_construction(command, default=None)
     add_box(command)
     command.add_argument("--report", metavar="R", help="write what was checked (exactmesh-report/1)")
@@ -53,6 +55,7 @@ def _run(args: argparse.Namespace) -> int:
         raise InputError("two results cannot go to one place: give each its own file")
     if args.optimal and args.kind != "classic":
         raise InputError("--optimal is for --kind classic")
+    check_optimization(args)
     if args.certificate and not args.output:
         raise InputError("a certificate belongs to the file of a mesh: give -o as well")
     if args.certificate and args.kind == "internal":
@@ -70,14 +73,19 @@ def _run(args: argparse.Namespace) -> int:
             pslg_data = pslg_bytes(args.file, source.sha256)
         options = paper_options(dict(args.paper))
         run = Run(source.pslg, construction, args.kind, options, progress, args.optimal)
-        result = meshing_of(run)
+        if args.optimize:
+            result, summary = optimized(args, run)
+        else:
+            result = meshing_of(run)
+            summary = f"{report.claims_text(result.judgements)}\n\n{report.verification_text(result.verification)}"
         progress("writing")
         text = json_from_mesh(result.mesh)
         if args.output:
             write_text(args.output, text)
         if args.report:
             digest = hashlib.sha256(text.encode()).hexdigest()
-            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, construction))
+            name = "optimized" if args.optimize else construction
+            write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, name))
         if args.svg:
             write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification))
         if args.pslg:
@@ -89,9 +97,7 @@ def _run(args: argparse.Namespace) -> int:
         print("exactmesh: no certificate is written: the mesh is not valid", file=sys.stderr)
     if not args.quiet:
         # A summary never mixes with a result that goes to standard output.
-        stream = sys.stderr if "-" in results else sys.stdout
-        print(report.claims_text(result.judgements), report.verification_text(result.verification), sep="\n\n",
-              file=stream)
+        print(summary, file=sys.stderr if "-" in results else sys.stdout)
     if not result.holds:
         print(report.failures_text(result.judgements), file=sys.stderr)
-    return HOLDS if result.holds else FAILS
+    return HOLDS if result.holds and result.verification.valid else FAILS

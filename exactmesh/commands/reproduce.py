@@ -13,6 +13,8 @@ from exactmesh.io.atomic import write_text
 from exactmesh.progress import Progress
 from exactmesh.report_ledger import bounds_json, bounds_text
 from exactmesh.reproduce.growth import laws
+from exactmesh.reproduce.peers import peer_rows
+from exactmesh.reproduce.peers_text import peers_csv, peers_json, peers_text
 from exactmesh.reproduce.spread import spread_json, spread_rows, spread_text
 from exactmesh.reproduce.table1 import MADE, Made, table1_rows
 from exactmesh.reproduce.text import table1_csv, table1_json, table1_svg, table1_text
@@ -31,6 +33,10 @@ def add(commands: Subparsers) -> None:
     table1.add_argument("-o", "--output", metavar="DIR", help="also write table1.txt, .csv and .svg there")
     table1.add_argument("--short", action="store_true", help="inputs of up to some 500 vertices")
     table1.add_argument("--kinds", metavar="KIND,..", type=_kinds, help=f"only these of {', '.join(MADE)}")
+    peers = _add_thing(things, "peers", "other meshers beside this one on the same inputs, their meshes measured "
+                       "exactly", _peers)
+    peers.add_argument("-o", "--output", metavar="DIR", help="also write peers.txt, .csv and .json there")
+    peers.add_argument("--short", action="store_true", help="fewer and smaller inputs")
     drawn = _add_thing(things, "figures", "the paper's figures from real runs, and companions where they fail",
                        _figures)
     drawn.add_argument("-o", "--output", metavar="DIR", required=True,
@@ -116,6 +122,18 @@ def _all(args: argparse.Namespace) -> int:
     elif not args.quiet:
         print(f"{path}: {len(found)} results, {f'failing: {chr(44).join(failing)}' if failing else 'no check fails'}")
     return FAILS if failing else HOLDS
+
+
+def _peers(args: argparse.Namespace) -> int:
+    if args.output:
+        make_folder(args.output)
+    with Progress(args.quiet) as progress:
+        rows = list(peer_rows(args.short, progress))
+    if args.output:
+        for ending, text in {"txt": peers_text(rows) + "\n", "csv": peers_csv(rows), "json": peers_json(rows)}.items():
+            write_text(os.path.join(args.output, f"peers.{ending}"), text)
+    print(peers_json(rows) if args.json else peers_text(rows))
+    return HOLDS
 
 
 def _kinds(text: str) -> tuple[Made, ...]:

@@ -18,8 +18,8 @@ from exactmesh.optimize.moves import Moves
 Reason = Literal["target", "no move helps", "effort", "time", "interrupted"]
 # Floats should promise this much more than what is to be reached, relatively: their errors are far smaller.
 _MARGIN = 1e-9
-# Gains below this, relatively, are not worth a step.
-_GAIN = 2e-3
+# Gains below this, relatively, are not worth a step; nor below this share of what is left to the goal.
+_GAIN, _SHARE = 2e-3, 0.25
 # Rings of faces around the worst one that are improved when it cannot be, and how often.
 _RINGS = (2, 4, 6)
 _PASSES = 4
@@ -81,8 +81,9 @@ class Improver:
         self.tries += 1
         if not self.tries % 64:
             self._progress(f"optimisation: {self.tries} places tried, {faces.steps} steps")
-        low = (1 + _GAIN) * sqrt(float(faces.feature[face]))
-        moves = Moves(faces, faces.cycle[face][0], min(low, (1 - _MARGIN) * self._cap), self._cap)
+        height = sqrt(float(faces.feature[face]))
+        low = height + min(_GAIN * height, _SHARE * max(0.0, self._cap - height))
+        moves = Moves(faces, faces.cycle[face][0], low, self._cap)
         refused = []
         for proposal in moves.for_face(face):
             if proposal.value < self._cap:
@@ -113,7 +114,7 @@ class Improver:
             near = {face for v in vertices for face in faces.around[v]}
             for _, face in sorted((faces.feature[face], face) for face in near):
                 if self._spent():
-                    return faces.feature[faces.worst()] > least
+                    return bool(faces.feature[faces.worst()] > least)
                 if face in faces.feature and faces.feature[face] < self.goal and self._improve(face):
                     some = True
                     if worst not in faces.feature or (worst not in self._stuck and self._improve(worst)):

@@ -1,8 +1,8 @@
 """Optimise a mesh of a domain: the least degradation first, then few Steiner vertices, no vertex on the input's edges.
 
-The first candidate is the constrained Delaunay triangulation, improved. Where it stays below what the repaired
-construction may reach, that is made too, and the better one goes on; so the result is never worse than either. The
-finished mesh is verified from its definition.
+The first candidate is the constrained Delaunay triangulation, improved. Where that is poor, the proper mesh of the
+repaired construction is improved as well; where the construction's mesh may be better as it is, it is compared. So the
+result is never worse than any of them. The finished mesh is verified from its definition.
 """
 
 from collections.abc import Callable, Iterable
@@ -32,7 +32,9 @@ OPTIMIZED_KINDS: tuple[Kind, ...] = ("nonproper", "proper")
 
 # Every vertex of the offset polygon is this near to an edge of the input, in units of at most the mfs; so no mesh of
 # the repaired construction keeps more, but for bare triangles, which every candidate has.
-_CONSTRUCTION_AT_MOST = THICKNESS_MAX**2
+_CONSTRUCTION_AT_MOST = THICKNESS_MAX
+# From this degradation on the construction's proper mesh is improved as well: long combs end up better that way.
+_POOR = mpq(4)
 # After thinning out there may be room for more: improve and thin out at most so often.
 _ROUNDS = 3
 _UNIT_BITS = 24
@@ -103,37 +105,61 @@ class _Work:
         self.effort = Effort(300 + 10 * count if time_limit is None else inf,
                              100 + count if time_limit is None else inf, lambda: monotonic() > end)
         self.candidates: list[Candidate] = []
+        self.start: Start = "constrained Delaunay"
 
     def run(self) -> Optimized:
         pslg = self.subdivision.pslg
         self.progress("constrained Delaunay triangulation")
         first = constrained_delaunay(self.subdivision)
         self.constrained = first.constrained
-        faces = self.faces(pslg.vertices, first.triangles)
-        start: Start = "constrained Delaunay"
-        reason = self.improved(start, faces)
-        if reason != "interrupted" and self.kept(faces) < _CONSTRUCTION_AT_MOST * self.mfs_squared:
-            try:
-                self.progress("repaired construction")
-                other = self.constructed()
-            except KeyboardInterrupt:
-                other, reason = None, "interrupted"
-            if other is not None:
-                self.note("repaired construction", other)
-                if self.kept(other) > self.kept(faces):
-                    faces, start = other, "repaired construction"
-                    reason = self.improved(start, other)
-        mesh = self.mesh(faces)
+        self.best = self.faces(pslg.vertices, first.triangles)
+        self.reason = self.improved(self.start, self.best)
+        try:
+            poor = self.is_below(1 / _POOR)
+            if self.reason != "interrupted" and poor:
+                self.improve_construction()
+            # An improved proper mesh is at least as good as it was.
+            done = poor and self.kind == "proper"
+            if self.reason != "interrupted" and not done and self.is_below(_CONSTRUCTION_AT_MOST):
+                self.compare_construction()
+        except KeyboardInterrupt:
+            self.reason = "interrupted"
+        mesh = self.mesh(self.best)
         self.progress("verification")
-        return Optimized(mesh, verify_mesh(self.subdivision, mesh), start, reason, tuple(self.candidates), faces.steps)
+        return Optimized(mesh, verify_mesh(self.subdivision, mesh), self.start, self.reason, tuple(self.candidates),
+                         self.best.steps)
 
-    def constructed(self) -> Faces | None:
+    def is_below(self, share: mpq) -> bool:
+        """Return whether the best mesh keeps less than `share` of the input's mfs."""
+        return bool(self.kept(self.best) < share**2 * self.mfs_squared)
+
+    def improve_construction(self) -> None:
+        """Improve the proper mesh of the construction, too: T-vertices leave the moves little room."""
+        seed = self.constructed("proper")
+        if seed is not None:
+            self.consider(seed, self.improved("repaired construction", seed))
+
+    def compare_construction(self) -> None:
+        """See whether the mesh of the construction is better as it is."""
+        made = self.constructed(self.kind)
+        if made is not None:
+            self.note(f"repaired construction, {self.kind}", made)
+            self.consider(made, self.reason)
+
+    def constructed(self, kind: Kind) -> Faces | None:
         """Return the mesh of the repaired construction; None when it fails."""
         try:
-            mesh = construct(self.subdivision, self.size, self.progress, self.kind).mesh
+            mesh = construct(self.subdivision, self.size, self.progress, kind).mesh
         except ConstructionFailed:
             return None
         return self.faces(mesh.vertices, mesh.faces)
+
+    def consider(self, other: Faces, reason: Reason) -> None:
+        """Take another mesh for the best where it is better."""
+        if self.kept(other) > self.kept(self.best):
+            self.best, self.start, self.reason = other, "repaired construction", reason
+        elif reason == "interrupted":
+            self.reason = reason
 
     def improved(self, name: str, faces: Faces) -> Reason:
         """Improve the faces in place, thin them out, and again; an interrupt is taken for the end."""
