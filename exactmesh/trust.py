@@ -6,8 +6,9 @@ type checkers alone left out. Modules from elsewhere than the standard library a
 
 import ast
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 _PACKAGE = "exactmesh"
@@ -92,8 +93,10 @@ def _sources(root: str) -> list[Path]:
     return sorted(_ROOT.glob(root.replace(".", "/") + ".py"))
 
 
-def _imports(path: Path) -> Iterator[str]:
-    """Yield the modules that a file imports, at any time."""
+@cache
+def _imports(path: Path) -> tuple[str, ...]:
+    """Return the modules that a file imports, at any time."""
+    found: list[str] = []
     waiting: list[ast.AST] = [ast.parse(path.read_text(encoding="utf-8"))]
     while waiting:
         node = waiting.pop()
@@ -102,9 +105,10 @@ def _imports(path: Path) -> Iterator[str]:
             continue
         waiting += ast.iter_child_nodes(node)
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            found += [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.module:
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            found += [f"{node.module}.{alias.name}" for alias in node.names]
+    return tuple(found)
 
 
 def _run_by(module: str) -> list[Path]:

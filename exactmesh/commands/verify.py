@@ -5,6 +5,7 @@ import sys
 
 from exactmesh import report
 from exactmesh.api import verify
+from exactmesh.commands.check import add_random_part, run_check
 from exactmesh.commands.exit_status import FAILS, HOLDS
 from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_box, add_quiet, read_source
@@ -22,6 +23,9 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--json", action="store_true", help="print one JSON object")
     add_box(command)
     command.add_argument("--max-degradation", metavar="D", help="also demand that the degradation is at most D")
+    command.add_argument("--certificate", metavar="C", help="check this certificate (exactmesh-certificate/1) instead, "
+                         "as `check` does")
+    add_random_part(command)
     add_quiet(command)
     add_limits(command)
     command.set_defaults(run=_run)
@@ -31,6 +35,13 @@ def _run(args: argparse.Namespace) -> int:
     bound = None
     if args.max_degradation is not None:
         bound = rational_from_text(args.max_degradation, "--max-degradation")
+    if args.certificate is not None:
+        if args.json or args.bounding_box is not None or bound is not None:
+            raise InputError("a certificate has a verdict of its own, for the files as they are: --json, "
+                             "--bounding-box and --max-degradation do not go with it")
+        return run_check(args)
+    if args.random_part is not None:
+        raise InputError("--random-part is a part of a certificate: give --certificate C as well")
     if args.pslg == args.mesh == "-":
         raise InputError("PSLG and MESH cannot both be standard input")
     with Progress(args.quiet) as progress:

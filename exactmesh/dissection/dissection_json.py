@@ -11,7 +11,7 @@ from exactmesh.errors import FormatError
 from exactmesh.io.json_fields import each, fields, rows
 from exactmesh.io.read import blaming, bytes_at
 from exactmesh.io.strict_json import Json, Number, described, parse_json
-from exactmesh.io.text import text_from_bytes
+from exactmesh.io.text import quoted, text_from_bytes
 from exactmesh.numbers.algebraic import Real
 
 FORMAT = "exactmesh-dissection/1"
@@ -78,7 +78,7 @@ class _Reader:
 
 def _object(value: Json, keys: tuple[str, ...]) -> dict[str, Json]:
     if not isinstance(value, dict) or set(value) != set(keys):
-        found = f"an object with {', '.join(value)}" if isinstance(value, dict) else described(value)
+        found = f"an object with {quoted(', '.join(value))}" if isinstance(value, dict) else described(value)
         raise FormatError("", f"an object with {' and '.join(keys)} is expected, not {found}")
     return value
 

@@ -279,3 +279,24 @@ def test_the_record_ends_with_a_line_feed_and_is_json() -> None:
     run = _run(BASES["square"][0], "classic")
     text = json_from_certificate(certificate_of(run.subdivision, run.mesh, run.verification, "a" * 64, "b" * 64))
     assert text.endswith("}\n") and json.loads(text)["mesh_sha256"] == "b" * 64
+
+
+def test_verify_looks_at_a_certificate(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pslg, mesh_file, certificate = (str(tmp_path / name) for name in ("p.json", "m.json", "c.json"))
+    Path(pslg).write_text(json_from_pslg(families.ring([(0, 0), (4, 0), (4, 4), (0, 4)])))
+    assert cli.main(["mesh", pslg, "-o", mesh_file, "--certificate", certificate, "--quiet"]) == 0
+    files = ["verify", pslg, mesh_file, "--certificate", certificate]
+    capsys.readouterr()
+    assert cli.main([*files, "--random-part", "3", "--seed", "5"]) == 0
+    assert capsys.readouterr().out.startswith("PARTIAL no fault in 3 of ")
+    assert cli.main(files) == 0
+    assert capsys.readouterr().out.startswith("VALID nonproper mesh")
+    other = Path(mesh_file).read_text().replace("nonproper", "proper")
+    Path(mesh_file).write_text(other)
+    for more in ([], ["--random-part", "3"]):
+        assert cli.main([*files, *more]) == 1
+        assert capsys.readouterr().out == "INVALID hash: MESH\n"
+    for wrong in (["--json"], ["--max-degradation", "3"], ["--bounding-box", "1"]):
+        assert cli.main([*files, *wrong]) == 2 and "do not go with it" in capsys.readouterr().err
+    assert cli.main(["verify", pslg, mesh_file, "--random-part", "3"]) == 2
+    assert "give --certificate C" in capsys.readouterr().err
