@@ -11,12 +11,11 @@ from gmpy2 import mpq
 
 from exactmesh.geometry.distance import distance_squared
 from exactmesh.geometry.point import Point, dot, minus
-from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
 from exactmesh.measure.mfs import Nearest
 from exactmesh.numbers.rational import sqrt_text
+from exactmesh.pictures.faces import FaceLooks
 from exactmesh.pictures.palette import (
     FEATURE_FILLS,
-    FEATURE_FLOORS,
     FEATURE_NAMES,
     INK,
     MAKERS,
@@ -89,29 +88,26 @@ class Canvas:
             self.layers.append(Area(name, drawn, fill, stroke, width))
             self._key("area", fill, key)
 
-    def features(self, points: Sequence[Point], faces: Iterable[Cycle], size_squared: mpq) -> None:
-        """Draw faces, each in the colour of its exact feature size over the square root of `size_squared`.
+    def features(self, points: Sequence[Point], looks: FaceLooks) -> None:
+        """Draw faces, each in the colour of its feature size over that of the input, exactly.
 
-        A face that is no triangle has a colour of its own; one that names a vertex that is not there is left out.
+        A face that is no triangle has a colour of its own.
         """
-        floors = [size_squared / floor**2 for floor in FEATURE_FLOORS]
+        shown = self.view.shown(points)
+        groups: dict[int, list[Cycle]] = {}
+        for cycle, rank in zip(looks.corners, looks.rank, strict=True):
+            if shown is None or shown(cycle):
+                groups.setdefault(rank, []).append(cycle)
         places = self.view.places(points)
-        groups: dict[int, list[list[Point]]] = {}
-        for cycle in faces:
-            if not all(0 <= v < len(points) for v in cycle) or self.view.misses([places[v] for v in cycle]):
-                continue
-            corners = corners_of(points, cycle)
-            if isinstance(corners, NotTriangle):
-                groups.setdefault(-1, []).append([points[v] for v in cycle])
-                continue
-            squared = face_feature_squared(points, cycle, corners)
-            rank = sum(squared < floor for floor in floors)
-            groups.setdefault(rank, []).append([points[cycle[i]] for i in corners])
         for rank in sorted(groups):
-            if rank < 0:
-                self.areas("no-triangle", groups[rank], NO_TRIANGLE, EDGE, self.thin, "no triangle")
+            name, fill, key = ("no-triangle", NO_TRIANGLE, "no triangle") if rank < 0 else (
+                f"feature-{rank}", FEATURE_FILLS[rank], "")
+            if self.view.is_part:
+                self.areas(name, ([points[v] for v in cycle] for cycle in groups[rank]), fill, EDGE, self.thin, key)
             else:
-                self.areas(f"feature-{rank}", groups[rank], FEATURE_FILLS[rank], EDGE, self.thin)
+                polygons = tuple(tuple([places[v] for v in cycle]) for cycle in groups[rank])
+                self.layers.append(Area(name, polygons, fill, EDGE, self.thin))
+                self._key("area", fill, key)
         if any(rank >= 0 for rank in groups):
             self.keys.append(Key("none", INK, "features of faces, over the input's mfs:"))
             self.keys += [Key("area", *entry) for entry in zip(FEATURE_FILLS, FEATURE_NAMES, strict=True)]
@@ -214,28 +210,21 @@ def foot(p: Point, a: Point, b: Point) -> Point:
     return Point(a.x + t * along.x, a.y + t * along.y)
 
 
-def t_vertices(points: Sequence[Point], faces: Iterable[Cycle]) -> list[int]:
-    """Return the vertices that lie on sides of faces that are triangles."""
-    found: set[int] = set()
-    for cycle in faces:
-        if len(cycle) > 3 and all(0 <= v < len(points) for v in cycle):
-            corners = corners_of(points, cycle)
-            if not isinstance(corners, NotTriangle):
-                found.update(v for i, v in enumerate(cycle) if i not in corners)
-    return sorted(found)
-
-
 def _grain(view: View, points: Sequence[Point], faces: Iterable[Cycle]) -> float:
     """Return the median height in pixels of the faces that can be seen; that of the panel when there are none."""
     places = view.places(points)
+    shown = view.shown(points)
     heights = []
     for cycle in faces:
-        corners = [places[v] for v in cycle if 0 <= v < len(places)]
-        if len(corners) > 2 and not view.misses(corners):
-            ends = list(zip(corners, [*corners[1:], corners[0]], strict=True))
-            area = abs(sum(px * qy - py * qx for (px, py), (qx, qy) in ends))
-            longest = sqrt(max((px - qx) ** 2 + (py - qy) ** 2 for (px, py), (qx, qy) in ends))
-            heights.append(area / longest if longest else 0.0)
+        if len(cycle) > 2 and (shown is None or shown(cycle)):
+            corners = [places[v] for v in cycle]
+            area = longest = 0.0
+            px, py = corners[-1]
+            for x, y in corners:
+                area += px * y - x * py
+                longest = max(longest, (x - px) * (x - px) + (y - py) * (y - py))
+                px, py = x, y
+            heights.append(abs(area) / sqrt(longest) if longest else 0.0)
     return sorted(heights)[len(heights) // 2] if heights else min(view.width, view.height)
 
 

@@ -13,10 +13,18 @@ from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification
 from exactmesh.numbers.rational import sqrt_below, sqrt_text
-from exactmesh.pictures.canvas import EDGE, Canvas, foot, t_vertices
+from exactmesh.pictures.canvas import EDGE, Canvas, foot
+from exactmesh.pictures.faces import face_looks
 from exactmesh.pictures.palette import FEATURE_FILLS, INK, Maker
 from exactmesh.pictures.scene import Panel, Scene, in_rows
-from exactmesh.pictures.steps import draw_input, draw_mesh, makers_of, step_panel, steps_in_turn
+from exactmesh.pictures.steps import (
+    draw_input,
+    draw_witnesses,
+    makers_of,
+    mesh_canvas,
+    step_panel,
+    steps_in_turn,
+)
 from exactmesh.pictures.svg import svg_text
 from exactmesh.pictures.view import View, around, view_of
 from exactmesh.planar.cycles import directed_edges
@@ -46,14 +54,16 @@ def picture_of_input(pslg: Pslg, view: View | None = None, mfs: Nearest | None =
 
 def picture_of_faces(mesh: Mesh, view: View | None = None) -> Scene:
     """Return a picture of a mesh whose input is not known: faces, T-vertices, and edges of one face only in bold."""
-    canvas = Canvas(view or view_of(mesh.vertices), mesh.vertices, mesh.faces)
     points = mesh.vertices
-    faces = [face for face in mesh.faces if all(0 <= v < len(points) for v in face)]
-    canvas.areas("faces", ([points[v] for v in face] for face in faces), FEATURE_FILLS[1], EDGE, canvas.thin)
+    looks = face_looks(points, mesh.faces, mpq(0))
+    canvas = Canvas(view or view_of(points), points, looks.corners)
+    canvas.areas("faces", ([points[v] for v in face] for face in looks.corners), FEATURE_FILLS[1], EDGE, canvas.thin)
+    count = len(points)
+    faces = [face for face in mesh.faces if all(0 <= v < count for v in face)]
     owner, _ = directed_edges(faces)
     canvas.edges("rim", ((points[u], points[v]) for u, v in owner if (v, u) not in owner), INK, 1.8,
                  key="edges of one face only")
-    canvas.vertices(points, {"given": range(len(points))}, t_vertices(points, faces))
+    canvas.vertices(points, {"given": range(len(points))}, looks.on_sides)
     return Scene(f"{mesh.kind} mesh: {len(mesh.faces)} faces, {len(mesh.vertices)} vertices",
                  ((canvas.panel("mesh", ""),),))
 
@@ -67,10 +77,11 @@ def picture_of_mesh(pslg: Pslg, mesh: Mesh, verification: Verification,
     given = len(pslg.vertices)
     by = makers or {"given": range(min(given, len(mesh.vertices))), "steiner": range(given, len(mesh.vertices))}
     both = verification.input_mfs, verification.mesh_mfs
+    looks = face_looks(mesh.vertices, mesh.faces, both[0].squared if both[0] else mpq(0))
 
     def panel(part: View, title: str) -> Panel:
-        canvas = Canvas(part, mesh.vertices, mesh.faces)
-        draw_mesh(canvas, pslg, mesh, by, *both)
+        canvas = mesh_canvas(part, pslg, mesh, looks, by)
+        draw_witnesses(canvas, pslg, mesh, *both)
         return canvas.panel("mesh", title)
 
     whole = view or view_of(mesh.vertices)

@@ -15,8 +15,9 @@ from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest
 from exactmesh.numbers.rational import decimal_text
-from exactmesh.pictures.canvas import Canvas, t_vertices
+from exactmesh.pictures.canvas import Canvas
 from exactmesh.pictures.curve import arcs, near
+from exactmesh.pictures.faces import FaceLooks, face_looks
 from exactmesh.pictures.palette import BLUE, FAINT, GREEN, GREY, INK, ORANGE, PURPLE, RED, SKY, YELLOW, Maker, tint
 from exactmesh.pictures.scene import Panel
 from exactmesh.pictures.view import View
@@ -87,17 +88,22 @@ def draw_input(canvas: Canvas, pslg: Pslg, width: float = 1.8) -> None:
     canvas.dots("hole", pslg.holes, GREY, 3.0, "mark of a hole")
 
 
-def draw_mesh(canvas: Canvas, pslg: Pslg, mesh: Mesh, makers: Mapping[Maker, Iterable[int]], input_mfs: Nearest | None,
-              mesh_mfs: Nearest | None, both: bool = True) -> None:
-    """Draw a mesh: faces by feature size, vertices by maker, T-vertices ringed, both nearest pairs or the mesh's."""
+def mesh_canvas(view: View, pslg: Pslg, mesh: Mesh, looks: FaceLooks, makers: Mapping[Maker, Iterable[int]]) -> Canvas:
+    """Return a drawing of a mesh: faces by feature size, vertices by maker, T-vertices ringed."""
     points = mesh.vertices
-    canvas.features(points, mesh.faces, input_mfs.squared if input_mfs else mpq(0))
+    canvas = Canvas(view, points, looks.corners)
+    canvas.features(points, looks)
     draw_input(canvas, pslg, width=max(0.7, min(1.8, 0.3 * canvas.grain)))
-    canvas.vertices(points, makers, t_vertices(points, mesh.faces))
-    if input_mfs is not None and both:
+    canvas.vertices(points, makers, looks.on_sides)
+    return canvas
+
+
+def draw_witnesses(canvas: Canvas, pslg: Pslg, mesh: Mesh, input_mfs: Nearest | None, mesh_mfs: Nearest | None) -> None:
+    """Draw the nearest pair of a PSLG and that of a mesh of it, with their distances."""
+    if input_mfs is not None:
         canvas.nearest(pslg.vertices, input_mfs, "input-witness", "mfs of the input")
     if mesh_mfs is not None:
-        canvas.nearest(points, mesh_mfs, "witness", "mfs of the mesh")
+        canvas.nearest(mesh.vertices, mesh_mfs, "witness", "mfs of the mesh")
 
 
 def outline(z: Trapezoid) -> Cycle:
@@ -180,9 +186,10 @@ def _all_phases(run: Run, view: View) -> Canvas:
 
 
 def _mesh(run: Run, view: View) -> Canvas:
-    canvas = Canvas(view, run.mesh.vertices, run.mesh.faces)
     found = run.verification
-    draw_mesh(canvas, run.pslg, run.mesh, makers_of(run), found.input_mfs, found.mesh_mfs)
+    looks = face_looks(run.mesh.vertices, run.mesh.faces, run.mfs.squared)
+    canvas = mesh_canvas(view, run.pslg, run.mesh, looks, makers_of(run))
+    draw_witnesses(canvas, run.pslg, run.mesh, found.input_mfs, found.mesh_mfs)
     return canvas
 
 
@@ -278,14 +285,15 @@ def _trapezoids(run: Run, view: View, q: Offset, chords: Trapezoidation, name: s
 
 def _patch(run: Run, view: View, faces: Sequence[Cycle], q: Offset, name: str, makers: Sequence[Maker]) -> Canvas:
     points = run.mesh.vertices
-    canvas = Canvas(view, points, faces)
-    canvas.features(points, faces, run.size.squared)
+    looks = face_looks(points, faces, run.size.squared)
+    canvas = Canvas(view, points, looks.corners)
+    canvas.features(points, looks)
     draw_input(canvas, run.pslg)
     canvas.edges("ring", _ring_edges(points, q), BLUE, 1.4, key=name)
     used = {v for face in faces for v in face}
     by_maker = makers_of(run)
     canvas.vertices(points, {maker: [v for v in by_maker[maker] if v in used] for maker in makers},
-                    t_vertices(points, faces))
+                    looks.on_sides)
     return canvas
 
 

@@ -50,6 +50,22 @@ class View:
         """Return whether a place is in the panel."""
         return 0 <= place[0] <= self.width and 0 <= place[1] <= self.height
 
+    def shown(self, points: Sequence[Point]) -> "Callable[[Sequence[int]], bool] | None":
+        """Return whether a polygon of points, given by numbers, can be in a window; None when all of them are."""
+        if not self.is_part:
+            return None
+        # A bit for each side of the window that a point is beyond: a polygon all beyond one side is not seen.
+        beyond = [(x < 0) | (x > self.width) << 1 | (y < 0) << 2 | (y > self.height) << 3
+                  for x, y in self.places(points)]
+
+        def is_shown(cycle: Sequence[int]) -> bool:
+            common = 15
+            for v in cycle:
+                common &= beyond[v]
+            return not common
+
+        return is_shown
+
     def misses(self, places: Sequence[Place]) -> bool:
         """Return whether a polygon's places all lie on one side of a window; never for a view of all."""
         if not self.is_part:

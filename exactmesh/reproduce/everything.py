@@ -9,7 +9,9 @@ from importlib.metadata import PackageNotFoundError, version
 from exactmesh.claims.bounds import bounds
 from exactmesh.claims.status import ledger
 from exactmesh.claims.witnesses import WITNESSES
+from exactmesh.dissection.dissect import dissect
 from exactmesh.dissection.lower_bound import LENGTHS, rectangle_rows, rectangle_to_square, rectangles_text
+from exactmesh.dissection.picture import svg_from_dissection
 from exactmesh.io.read import read_pslg
 from exactmesh.pictures.svg import svg_text
 from exactmesh.proofs import registry
@@ -22,7 +24,7 @@ from exactmesh.reproduce.figure_kit import Figure
 from exactmesh.reproduce.figures import commands_of, figures, sha256_of
 from exactmesh.reproduce.growth import laws
 from exactmesh.reproduce.page import Picture, Section, page
-from exactmesh.reproduce.spread import spread_inputs, spread_rows, spread_text
+from exactmesh.reproduce.spread import spread_inputs, spread_rows, spread_svg, spread_text
 from exactmesh.reproduce.table1 import table1_rows
 from exactmesh.reproduce.text import table1_svg, table1_text
 
@@ -31,6 +33,9 @@ _TITLE = "Meshes Preserving Minimum Feature Size, reproduced"
 _LEAD = ("Every table and figure of the paper by Aloupis, Demaine, Demaine, Dujmovic and Iacono, and of exactmesh, "
          "computed by exact arithmetic. Each has the command that makes it and the hashes of its inputs.")
 _SHORT_LENGTHS = tuple(length for length in LENGTHS if length <= 30)
+# The dissection that is drawn.
+_SHOWN_LENGTH = 5
+_SHOWN = f"a dissection of the {_SHOWN_LENGTH} x 1 rectangle and the square of its area"
 _PACKAGES = ("exactmesh", "gmpy2", "numpy")
 
 
@@ -82,7 +87,8 @@ def _table1(short: bool, progress: Progress) -> Section:
 def _spread(progress: Progress) -> Section:
     rows = list(spread_rows(progress))
     inputs = {pslg.name: sha256_of(pslg) for pslg in spread_inputs()}
-    return Section("spread", "Degradation and spread", ("exactmesh reproduce spread",), spread_text(rows), (), inputs,
+    return Section("spread", "Degradation and spread", ("exactmesh reproduce spread",), spread_text(rows), (
+        Picture(spread_svg(rows), "degradation and length", is_plain=False),), inputs,
                    about="The published construction degrades with the length of a room; the repaired one does not.")
 
 
@@ -120,6 +126,8 @@ def _proofs(progress: Progress) -> Section:
 def _dissection(short: bool, progress: Progress) -> Section:
     lengths = _SHORT_LENGTHS if short else LENGTHS
     rows = list(rectangle_rows(lengths, progress))
+    shown = dissect(rectangle_to_square(_SHOWN_LENGTH), scale=True)
     inputs = {pslg.name: sha256_of(pslg) for length in lengths for pslg in rectangle_to_square(length)}
     return Section("dissection", "Section 5: the square to the r x 1 rectangle", ("exactmesh reproduce dissection",),
-                   rectangles_text(rows), (), inputs, all(row.valid for row in rows))
+                   rectangles_text(rows), (Picture(svg_from_dissection(shown.dissection), _SHOWN, is_plain=False),),
+                   inputs, all(row.valid for row in rows))

@@ -6,7 +6,8 @@ from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import face_witness
 from exactmesh.measure.mfs import Nearest
 from exactmesh.numbers.rational import sqrt_text
-from exactmesh.pictures.canvas import Canvas, foot, t_vertices
+from exactmesh.pictures.canvas import Canvas, foot
+from exactmesh.pictures.faces import face_looks
 from exactmesh.pictures.scene import Scene
 from exactmesh.pictures.steps import outline
 from exactmesh.pictures.view import view_of
@@ -69,7 +70,7 @@ def figure_theorem_2_fails() -> Figure:
     pslg = witness("spike-room")
     run, repaired = run_of(pslg, "paper", "proper"), run_of(pslg, "repaired", "proper")
     view = part(("-0.2", "-0.2"), ("4", "2.2"), 560.0)
-    count = len(t_vertices(run.mesh.vertices, run.mesh.faces))
+    count = len(face_looks(run.mesh.vertices, run.mesh.faces, run.mfs.squared).on_sides)
     claim = "theorem-2.only-rectangles"
     return parts.figure("theorem-2-fails", "Theorem 2 (no figure)", Scene(
         "Theorem 2: replacing the rectangles does not make the mesh proper",

@@ -16,8 +16,9 @@ from exactmesh.measure.verdict import Verdict
 from exactmesh.numbers.rational import decimal_text, sqrt_text, text_from_rational
 from exactmesh.paper import PaperOptions
 from exactmesh.pictures.canvas import Canvas
+from exactmesh.pictures.faces import face_looks
 from exactmesh.pictures.scene import Panel, Scene
-from exactmesh.pictures.steps import draw_mesh, makers_of, step_canvas
+from exactmesh.pictures.steps import draw_witnesses, makers_of, mesh_canvas, step_canvas
 from exactmesh.pictures.view import View, view_of, window
 from exactmesh.planar.mesh import Kind
 from exactmesh.planar.pslg import Pslg, polygon
@@ -68,8 +69,9 @@ class Parts:
         self._note(run, step, view, paper or {})
         if step == "mesh":
             part = view or view_of(run.mesh.vertices, 520.0)
-            canvas = Canvas(part, run.mesh.vertices, run.mesh.faces)
-            draw_mesh(canvas, run.pslg, run.mesh, makers_of(run), run.mfs, run.verification.mesh_mfs, False)
+            looks = face_looks(run.mesh.vertices, run.mesh.faces, run.mfs.squared)
+            canvas = mesh_canvas(part, run.pslg, run.mesh, looks, makers_of(run))
+            draw_witnesses(canvas, run.pslg, run.mesh, None, run.verification.mesh_mfs)
             return canvas
         return step_canvas(run, step, view or view_of(run.pslg.vertices, 520.0))
 

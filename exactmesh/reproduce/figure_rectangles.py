@@ -10,7 +10,8 @@ from exactmesh.measure.face_feature import face_witness
 from exactmesh.measure.mfs import Nearest
 from exactmesh.numbers.rational import sqrt_text
 from exactmesh.paper import PaperOptions
-from exactmesh.pictures.canvas import Canvas, t_vertices
+from exactmesh.pictures.canvas import Canvas
+from exactmesh.pictures.faces import face_looks
 from exactmesh.pictures.palette import BLUE, INK
 from exactmesh.pictures.scene import Panel, Scene
 from exactmesh.pictures.view import View, view_of, window
@@ -54,7 +55,7 @@ def figure_1() -> Figure:
     for kind in ("classic", "proper", "nonproper"):
         run = run_of(pslg, "classic" if kind == "classic" else "repaired", kind)
         panels.append(parts.panel(run, "mesh", f"{kind}: {degradation(run)}", view_of(pslg.vertices, 430.0)))
-        on_sides = len(t_vertices(run.mesh.vertices, run.mesh.faces))
+        on_sides = len(face_looks(run.mesh.vertices, run.mesh.faces, mpq(1)).on_sides)
         words.append(f"{kind}: {len(run.mesh.faces)} faces, {run.verification.steiner} Steiner vertices, "
                      f"{on_sides} of them on sides of faces")
     return parts.figure("fig-01", "Figure 1", Scene(
@@ -192,13 +193,14 @@ def _drawn(points: Sequence[Point], faces: Sequence[Cycle], box: _Box, title: st
 
 
 def _base(view: View, points: Sequence[Point], faces: Sequence[Cycle], box: _Box = _BOX) -> Canvas:
-    canvas = Canvas(view, points, faces)
-    canvas.features(points, faces, mpq(1))
+    looks = face_looks(points, faces, mpq(1))
+    canvas = Canvas(view, points, looks.corners)
+    canvas.features(points, looks)
     count = box.positions
     corners = [points[v] for v in (0, count - 1, count + 1, count)]
     canvas.edges("input", zip(corners, [*corners[1:], corners[0]], strict=True), INK, 1.6)
     canvas.vertices(points, {"given": range(count + 2), "steiner": range(count + 2, len(points))},
-                    t_vertices(points, faces))
+                    looks.on_sides)
     return canvas
 
 

@@ -7,6 +7,7 @@ long as the room has a T-vertex near its end, and the one vertex that the paper 
 import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from math import sqrt
 
 from gmpy2 import mpq
 
@@ -14,6 +15,8 @@ from exactmesh.claims.run import ConstructionName, Run
 from exactmesh.numbers.rational import sqrt_text, text_from_rational
 from exactmesh.planar.pslg import Pslg, polygon
 from exactmesh.report import table
+from exactmesh.reproduce.plot import Panel, Series, svg_of
+from exactmesh.steps.constants import DESIGN_DEGRADATION, PAPER_DEGRADATION
 
 LENGTHS = (4, 16, 44, 96, 192, 1000, 10_000)
 
@@ -69,6 +72,18 @@ def spread_text(rows: Sequence[SpreadRow]) -> str:
     lines += [(row.family, str(row.length), sqrt_text(row.paper, 6), sqrt_text(row.repaired, 6),
                sqrt_text(row.paper / row.length**2, 4)) for row in rows]
     return table(lines, right=(1, 2, 3, 4))
+
+
+def spread_svg(rows: Sequence[SpreadRow]) -> str:
+    """Return log-log plots of the degradation against L, one for each family."""
+    panels = []
+    for family in dict.fromkeys(row.family for row in rows):
+        mine = [row for row in rows if row.family == family]
+        paper = tuple((float(row.length), sqrt(float(row.paper))) for row in mine)
+        repaired = tuple((float(row.length), sqrt(float(row.repaired))) for row in mine)
+        panels.append(Panel(family, "L", (Series("paper", paper), Series("repaired", repaired))))
+    levels = [(float(bound), f"{float(bound):g}") for bound in (DESIGN_DEGRADATION, PAPER_DEGRADATION)]
+    return svg_of("Degradation in rooms of length L", panels, levels)
 
 
 def spread_json(rows: Sequence[SpreadRow]) -> str:
