@@ -493,6 +493,19 @@ def test_places_are_named(name: str, line: str, change: Callable[[Any], object])
     assert by_python(t.files()) == (1, f"INVALID {line}")
 
 
+@pytest.mark.parametrize("name", ["ring with a hole", "ring with a hole, rest meshed"])
+def test_the_faces_of_a_hole_are_named(name: str) -> None:
+    t = copy.deepcopy(base(name))
+    face = t.certificate["hole_faces"][0]
+    t.pslg["holes"][0][0] = "1"
+    assert by_python(t.files()) == (1, f"INVALID hole: hole 0: not inside rest face {face}")
+    t.pslg["holes"].clear()
+    t.certificate["hole_faces"].clear()
+    walls = {frozenset(edge) for edge in t.pslg["edges"]}
+    first = min(reached_from(t.certificate["faces"], face, walls))
+    assert by_python(t.files()) == (1, f"INVALID domain: rest face {first}: neither outside nor in a hole")
+
+
 @pytest.mark.parametrize("name", BASES)
 def test_what_is_valid_is_accepted_and_a_face_with_four_vertices_is_not_proper(name: str) -> None:
     t = copy.deepcopy(base(name))
