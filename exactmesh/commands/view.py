@@ -3,21 +3,31 @@
 import argparse
 import os
 import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from exactmesh.commands.exit_status import HOLDS
 from exactmesh.commands.options import Subparsers, add_quiet, positive
 from exactmesh.errors import InputError
+from exactmesh.io.text import printable
 from exactmesh.progress import Progress
 
-_MESH = b'"exactmesh-mesh/'
+if TYPE_CHECKING:
+    from exactmesh.viewer.subject import Subject
+
+_OUR_MESH = b'"exactmesh-mesh/'
+_SOLUTION = b'"CG_SHOP_2025_Solution"'
+# Of other programs: files with these names have faces; what others hold, a PSLG or not, is for its reader to say.
+_MESHES = (".ele", ".msh", ".vtu", ".vtk", ".obj", ".off", ".stl", ".ply", ".mesh", ".inp", ".xdmf")
 
 
 def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
     command = commands.add_parser(
         "view", help="a page to look at a mesh, its claims and its steps; or an editor of polygons")
-    command.add_argument("file", metavar="MESH", nargs="?", help="a mesh; or a PSLG, which is meshed for the page (by "
-                         "the repaired construction), or edited")
+    command.add_argument("file", metavar="MESH", nargs="?", help="a mesh, of exactmesh or of others (.ele, .msh, "
+                         ".vtu, .obj, ..); or a PSLG, which is meshed for the page (by the repaired construction), or "
+                         "edited")
     command.add_argument("-o", "--output", metavar="PAGE", help="write the page, one HTML file that needs no network; "
                          "with --edit: where the page saves the polygon")
     command.add_argument("--pslg", metavar="P", help="the input of the mesh: the mesh is verified, the input drawn")
@@ -45,44 +55,57 @@ def _run(args: argparse.Namespace) -> int:
 
 
 def _write_page(args: argparse.Namespace) -> int:
-    # Here and below: what only one of the two forms needs is imported when it is chosen.
-    from exactmesh.claims.run import Run
+    # Here and below: what only one form of the command needs is imported when it is chosen.
     from exactmesh.io.atomic import write_text
-    from exactmesh.io.read import read_bytes, read_mesh, read_pslg
     from exactmesh.viewer.document import document_of
     from exactmesh.viewer.page import viewer_page
-    from exactmesh.viewer.report_file import read_report
-    from exactmesh.viewer.subject import run_for, subject_of_mesh, subject_of_run
 
     if "-" in (args.file, args.pslg, args.report):
         raise InputError("a page is made of files, not of standard input")
-    title = os.path.basename(args.file)
     with Progress(args.quiet) as progress:
         progress("reading")
-        if _MESH not in read_bytes(args.file):
-            if args.pslg or args.report:
-                raise InputError("--pslg and --report are for a mesh; this file is none")
-            pslg = read_pslg(args.file).pslg
-            run = Run(pslg, args.construction or "repaired", progress=progress)
-            subject = subject_of_run(run, title, args.steps)
-        else:
-            if args.construction:
-                raise InputError("--construction is for a PSLG; this file is a mesh")
-            source = read_mesh(args.file)
-            report = read_report(args.report) if args.report else None
-            if report is not None and report.mesh_sha256 != source.sha256:
-                raise InputError(f"{args.report}: this is the report of another mesh than {args.file}")
-            given = read_pslg(args.pslg).pslg if args.pslg else None
-            if args.steps and given is None:
-                raise InputError("the steps to a mesh begin with its input: give --pslg P as well")
-            if args.steps and given is not None:
-                subject = subject_of_run(run_for(given, source.mesh, report, progress), title, True)
-            else:
-                progress("verification")
-                subject = subject_of_mesh(source.mesh, given, report, title)
+        subject = _subject(args, progress)
         progress("writing")
         write_text(args.output, viewer_page(document_of(subject)))
     return HOLDS
+
+
+def _subject(args: argparse.Namespace, progress: Callable[[str], None]) -> "Subject":
+    """Return what the arguments name, whichever kind of file the first one is."""
+    from exactmesh.claims.run import Run
+    from exactmesh.io.read import read_bytes, read_mesh, read_pslg
+    from exactmesh.viewer.report_file import read_report
+    from exactmesh.viewer.subject import run_for, subject_of_foreign, subject_of_mesh, subject_of_run
+
+    title = printable(os.path.basename(args.file))
+    data = read_bytes(args.file)
+    is_ours = _OUR_MESH in data
+    is_mesh = is_ours or _SOLUTION in data or os.path.splitext(args.file)[1].lower() in _MESHES
+    if not is_mesh:
+        if args.pslg or args.report:
+            raise InputError("--pslg and --report are for a mesh; this file is none")
+        return subject_of_run(Run(read_pslg(args.file).pslg, args.construction or "repaired", progress=progress), title,
+                              args.steps)
+    if args.construction:
+        raise InputError("--construction is for a PSLG; this file is a mesh")
+    given = read_pslg(args.pslg).pslg if args.pslg else None
+    if not is_ours:
+        from exactmesh.io.read_faces import read_faces
+
+        if args.report or args.steps:
+            raise InputError("--report and --steps are for meshes by exactmesh")
+        progress("measuring")
+        return subject_of_foreign(*read_faces(args.file, given), given, title)
+    source = read_mesh(args.file)
+    report = read_report(args.report) if args.report else None
+    if report is not None and report.mesh_sha256 != source.sha256:
+        raise InputError(f"{printable(args.report)}: this is the report of another mesh than {printable(args.file)}")
+    if not args.steps:
+        progress("verification")
+        return subject_of_mesh(source.mesh, given, report, title)
+    if given is None:
+        raise InputError("the steps to a mesh begin with its input: give --pslg P as well")
+    return subject_of_run(run_for(given, source.mesh, report, progress), title, True)
 
 
 def _edit(args: argparse.Namespace) -> int:

@@ -55,7 +55,7 @@ class Foreign:
 def measure_foreign(subdivision: Subdivision, vertices: Sequence[Point], faces: Sequence[tuple[int, ...]]) -> Foreign:
     """Return the measure of a mesh of the domain of `subdivision`, given by vertices and cycles in any order."""
     pslg = subdivision.pslg
-    points, cycles, missing = _in_order(pslg, vertices, faces)
+    points, cycles, missing = in_order(pslg, vertices, faces)
     on_edges = _on_edges(pslg, points)
     mesh = Mesh(_kind(pslg, points, cycles, on_edges), points, cycles)
     verification = verify_mesh(subdivision, mesh)
@@ -86,7 +86,7 @@ def pslg_mfs(pslg: Pslg) -> Size:
     return Size(minimum_feature_size(pslg))
 
 
-def _in_order(pslg: Pslg, vertices: Sequence[Point], faces: Sequence[tuple[int, ...]]
+def in_order(pslg: Pslg, vertices: Sequence[Point], faces: Sequence[tuple[int, ...]]
               ) -> tuple[tuple[Point, ...], tuple[tuple[int, ...], ...], tuple[int, ...]]:
     """Return points with the input's first, counter-clockwise cycles, and the input vertices on no face."""
     index = {point: v for v, point in enumerate(pslg.vertices)}

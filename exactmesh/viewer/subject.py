@@ -1,6 +1,6 @@
 """What there is to look at: a mesh with whatever is known of it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from gmpy2 import mpq
@@ -8,10 +8,12 @@ from gmpy2 import mpq
 from exactmesh.claims.ledger import judge
 from exactmesh.claims.run import ConstructionName, Run, construction_for
 from exactmesh.errors import InputError
+from exactmesh.geometry.point import Point
 from exactmesh.io.text import printable
-from exactmesh.measure.mfs import Nearest, minimum_feature_size
+from exactmesh.measure.foreign import graph_mfs, in_order, measure_foreign
+from exactmesh.measure.mfs import Nearest
 from exactmesh.measure.validity import Verification, verify_mesh
-from exactmesh.planar.cycles import sides
+from exactmesh.planar.cycles import Cycle
 from exactmesh.planar.faces import domain_of
 from exactmesh.planar.mesh import Mesh
 from exactmesh.planar.pslg import Pslg
@@ -28,8 +30,8 @@ _VIOLATIONS = 100
 class Subject:
     """A mesh; `claims` are as in a report, `places` tells where their witnesses are.
 
-    `given` is the number of vertices that are the input's, None when nothing tells it. `mesh_mfs` is None when the
-    mesh is not valid.
+    `given` is the number of vertices that are the input's, None when nothing tells it. `mesh_mfs` is None when there is
+    nothing to say of it: the mesh is not valid, or its edges cross.
     """
 
     title: str
@@ -53,7 +55,7 @@ def subject_of_run(run: Run, title: str, with_steps: bool, with_claims: bool = T
 
 
 def subject_of_mesh(mesh: Mesh, pslg: Pslg | None, report: ReportFile | None, title: str) -> Subject:
-    """Return a mesh from anywhere: with its input it is verified, with a report it has that report's claims.
+    """Return a mesh: with its input it is verified, with a report it has that report's claims.
 
     Raises `InputError` when `pslg` is none or encloses nothing.
     """
@@ -63,11 +65,26 @@ def subject_of_mesh(mesh: Mesh, pslg: Pslg | None, report: ReportFile | None, ti
         verification = verify_mesh(domain_of(pslg), mesh)
         return _of_verification(pslg, mesh, verification, _verdicts(verification) + claims,
                                 Places(mesh, pslg.edges, unit), whole(pslg, mesh), title)
-    mesh_mfs = minimum_feature_size(Pslg(mesh.vertices, _edges(mesh)))
     return Subject(title, mesh, report.given if report is not None else None,
-                   report.input_mfs if report is not None else None, mesh_mfs,
+                   report.input_mfs if report is not None else None, graph_mfs(mesh.vertices, mesh.faces).nearest,
                    report.degradation_squared if report is not None else None, claims, Places(mesh, (), unit),
                    whole(None, mesh))
+
+
+def subject_of_foreign(vertices: Sequence[Point], faces: Sequence[Cycle], pslg: Pslg | None, title: str) -> Subject:
+    """Return a mesh made elsewhere, its faces turned counter-clockwise; with its input it is verified.
+
+    With the input, vertices are numbered as exactmesh does: the input's first, whatever the file's order. Raises
+    `InputError` when `pslg` is none or encloses nothing.
+    """
+    if pslg is None:
+        points, cycles, _ = in_order(Pslg((), ()), vertices, faces)
+        return subject_of_mesh(Mesh("nonproper", points, cycles), None, None, title)
+    measured = measure_foreign(domain_of(pslg), vertices, faces)
+    verification = measured.verification
+    return Subject(title, measured.mesh, len(pslg.vertices), verification.input_mfs, measured.graph.nearest,
+                   measured.degradation_squared, _verdicts(verification), Places(measured.mesh, pslg.edges),
+                   whole(pslg, measured.mesh))
 
 
 def run_for(pslg: Pslg, mesh: Mesh, report: ReportFile | None, progress: Callable[[str], None]) -> Run:
@@ -101,6 +118,3 @@ def _verdict(name: str, says: str, instances: int, holds: bool, witness: Mapping
     return {"id": name, "paper": "exactmesh verify", "statement": says, "bound": "", "instances": instances,
             "holds": holds, "worst": None, "witness": witness}
 
-
-def _edges(mesh: Mesh) -> tuple[tuple[int, int], ...]:
-    return tuple(sorted({(min(side), max(side)) for cycle in mesh.faces for side in sides(cycle)}))

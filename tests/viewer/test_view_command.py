@@ -8,6 +8,7 @@ from pages import L_SHAPE
 
 from exactmesh.cli import main
 from exactmesh.io.pslg_json import json_from_pslg
+from exactmesh.planar.pslg import polygon
 
 
 @pytest.fixture
@@ -52,6 +53,21 @@ def test_a_mesh_with_whatever_is_known_of_it(folder: Path, capsys: pytest.Captur
     assert capsys.readouterr() == ("", "")
 
 
+def test_meshes_of_others(folder: Path) -> None:
+    square = polygon([(0, 0), (2, 0), (2, 2), (0, 2)])
+    (folder / "s.json").write_text(json_from_pslg(square), encoding="utf-8")
+    (folder / "s.node").write_text("4 2 0 0\n1 0 2\n2 2 2\n3 2 0\n4 0 0\n", encoding="utf-8")
+    (folder / "s.ele").write_text("2 3 0\n1 1 2 3\n2 1 3 4\n", encoding="utf-8")  # clockwise, in another order
+    page = folder / "page.html"
+    assert main(["view", "s.ele", "-o", "page.html"]) == 0
+    assert data(page)["features"] == ["2", "2"] and names(page) == ["Mesh"]
+    assert main(["view", "s.ele", "--pslg", "s.json", "-o", "page.html"]) == 0
+    assert data(page)["x"] == ["0", "2", "2", "0"] and names(page) == ["Input", "Mesh"]
+    assert data(page)["degradation"] == {"squared": "2", "exact": "sqrt(2)", "decimal": "1.4142136"}
+    claims: list[dict[str, object]] = data(page)["claims"]  # type: ignore[assignment]
+    assert [(claim["id"], claim["holds"]) for claim in claims] == [("verification", True)]
+
+
 @pytest.mark.parametrize("arguments, message", [
     ([], "which mesh? give a file, or --edit"),
     (["mesh.json"], "where is the page to go? give -o PAGE"),
@@ -60,6 +76,7 @@ def test_a_mesh_with_whatever_is_known_of_it(folder: Path, capsys: pytest.Captur
     (["l.json", "--report", "report.json", "-o", "p"], "--pslg and --report are for a mesh; this file is none"),
     (["mesh.json", "--steps", "-o", "p"], "the steps to a mesh begin with its input: give --pslg P as well"),
     (["mesh.json", "--construction", "paper", "-o", "p"], "--construction is for a PSLG; this file is a mesh"),
+    (["s.ele", "--report", "report.json", "-o", "p"], "--report and --steps are for meshes by exactmesh"),
     (["mesh.json", "--report", "mesh.json", "-o", "p"],
      "mesh.json: an object of format 'exactmesh-report/1' is expected, not an object"),
     (["other.json", "--report", "report.json", "-o", "p"],
@@ -72,6 +89,7 @@ def test_what_is_refused_is_told_in_a_line(folder: Path, capsys: pytest.CaptureF
                                            message: str) -> None:
     mesh = (folder / "mesh.json").read_text(encoding="utf-8")
     (folder / "other.json").write_text(mesh + "\n", encoding="utf-8")
+    (folder / "s.ele").write_text("", encoding="utf-8")
     assert main(["view", *arguments]) == 2
     assert capsys.readouterr() == ("", f"exactmesh: {message}\n")
     assert not (folder / "p").exists()
