@@ -22,6 +22,7 @@ numbers are whole and every step is exact: then the sign is right as it is, 0 in
 
 from collections.abc import Callable, Sequence
 from itertools import islice
+from math import frexp
 
 import numpy as np
 from gmpy2 import mpq, sign
@@ -38,8 +39,6 @@ _BITS = 103
 _LOW = 52
 _EXACT = 2.0**53
 _RELATIVE = 2.0**-50
-# The bound of `TurnFilter`, in units of a grid of 2**103: see there.
-_FLAT = 2.0 ** (_BITS - 49)
 # Coordinates that are converted at once: enough to be quick, few enough to be no burden.
 _CHUNK = 1 << 16
 
@@ -129,17 +128,21 @@ class FixedPoints:
 class TurnFilter:
     """The orientation of single triples of `columns`, for sweeps: two plain floats a point, then columns, then exact.
 
-    The bound of the first step. In units of 2**103 grid units a plain float is within 2**-53 + 2**-103 of its
-    coordinate in [0, 1], so a difference is off by eta < 2**-51; with S the sum of the four absolute differences the
-    determinant is off by at most eta * S + 2 * eta**2 + 3 * 2**-53 * S < 2**-49 * S for S >= 2**-49; and for smaller S
-    it is, as computed, at most S**2 / 2 (1 + 2**-50) < 2**-49 * S, so that nothing is decided.
+    The bound of the first step. In units of a power of two r above all coordinates (a grid that rounds them has
+    a unit of at most 2**-99 r) a plain float is within 2**-53 + 2**-99 of its coordinate in [0, 1], so a difference is
+    off by eta < 2**-51; with S the sum of the four absolute differences the determinant is off by at most
+    eta * S + 2 * eta**2 + 3 * 2**-53 * S < 2**-49 * S for S >= 2**-49; and for smaller S it is, as computed, at most
+    S**2 / 2 (1 + 2**-50) < 2**-49 * S, so that nothing is decided.
     """
 
-    __slots__ = ("_columns", "_x", "_y", "asked", "second", "third")
+    __slots__ = ("_bound", "_columns", "_x", "_y", "asked", "second", "third")
 
     def __init__(self, columns: FixedPoints) -> None:
         self._columns = columns
-        self._x, self._y = (column.tolist() for column in columns.rounded())
+        rounded = columns.rounded()
+        size = max(float(column.max(initial=0.0)) for column in rounded)
+        self._bound = 2.0 ** (frexp(size)[1] - 49)
+        self._x, self._y = (column.tolist() for column in rounded)
         self.asked = self.second = self.third = 0
 
     def orientation(self, i: int, j: int, k: int) -> int:
@@ -148,7 +151,7 @@ class TurnFilter:
         x, y = xs[i], ys[i]
         a, b, c, d = xs[j] - x, ys[k] - y, ys[j] - y, xs[k] - x
         determinant = a * b - c * d
-        bound = _FLAT * (abs(a) + abs(b) + abs(c) + abs(d))
+        bound = self._bound * (abs(a) + abs(b) + abs(c) + abs(d))
         self.asked += 1
         if determinant > bound:
             return 1

@@ -2,9 +2,9 @@
 
 Floats choose candidates, intervals of 256 bits tell most of them apart, exact signs decide the rest.
 
-Why the slack of `candidates` covers algebraic places: its proof needs coordinates that are within 2^-52 once they are
-scaled into [-1, 1]. `approximated` is within 2^-80 of the extent, which is at most 2^-78 there, and turning that into
-a double costs at most 2^-53.
+Why candidates for rational points are candidates for algebraic places: `approximated` is within 2^-80 of the extent,
+and `nearest_candidates` is told so. Where `SLACK` is used, its proof needs coordinates that are within 2^-52 once they
+are scaled into [-1, 1]: 2^-80 of the extent is at most 2^-78 there, and turning that into a double costs at most 2^-53.
 
 Among pairs that 256 bits do not tell apart the first is reported as the least; the bound is decided exactly for every
 one of them, so `Least.holds` does not depend on which of them is the true least.
@@ -65,7 +65,9 @@ def algebraic_mfs(places: Sequence[Place], edges: Sequence[Edge], relation: Rela
                   bound: mpq | Real = _ZERO) -> Least | None:
     """Return the least squared distance between a place and an edge that does not contain it, for a graph in which
     every vertex is on an edge and every edge meets another; None when there is no pair."""
-    pairs = nearest_candidates(approximated(places), edges)
+    points = approximated(places)
+    # The extent of the places is above that of the points by less than a part of 2^-78.
+    pairs = nearest_candidates(points, edges, _extent(points) / mpq(2) ** 79)
     return _least(places, [(v, edges[e]) for v, e in pairs], relation, bound)
 
 
@@ -96,6 +98,11 @@ def approximated(places: Sequence[Place]) -> list[Point]:
         if width * mpq(2) ** 82 <= extent:
             return [Point(x[0], y[0]) for x, y in zip(*ends, strict=True)]
         bits *= 2
+
+
+def _extent(points: Sequence[Point]) -> mpq:
+    axes = list(zip(*points, strict=True))
+    return max((max(axis) - min(axis) for axis in axes), default=_ZERO)
 
 
 def _near_pairs(xy: Any, group: Labelled) -> list[tuple[float, int, Edge]]:

@@ -5,9 +5,9 @@ between two vertices decide only where one of them is isolated or the two are an
 an edge at the other vertex is at least as near.
 """
 
-from collections import Counter
 from dataclasses import dataclass
 
+import numpy as np
 from gmpy2 import mpq
 
 from exactmesh.geometry.distance import segment_distance_squared
@@ -38,20 +38,20 @@ def minimum_feature_size(pslg: Pslg) -> Nearest | None:
     Edges may cross: the definition does not mind. Among equally near pairs, edges come before vertices and lower
     indices first.
     """
-    degree = Counter(v for edge in pslg.edges for v in edge)
-    lonely = [v for v in range(len(pslg.vertices)) if degree[v] == 0]
-    pairs = [edge for edge in pslg.edges if degree[edge[0]] == degree[edge[1]] == 1]
-    points_only = lonely + [v for edge in pairs for v in edge]
-    features = list(pslg.edges) + [(v, v) for v in points_only]
+    count = len(pslg.vertices)
+    ends = np.array(pslg.edges, dtype=np.int64).reshape(-1, 2)
+    degree = np.bincount(ends.ravel(), minlength=count)
+    alone = ends[(degree[ends] == 1).all(axis=1)]
+    points_only = np.concatenate((np.flatnonzero(degree == 0), alone.ravel()))
+    features = np.concatenate((ends, np.column_stack((points_only, points_only))))
     best: tuple[mpq, int, int] | None = None
-    if len(pslg.vertices) * len(features) <= _FEW:
-        candidates = [(v, f) for f, ends in enumerate(features) for v in range(len(pslg.vertices)) if v not in ends]
-    else:
-        candidates = nearest_candidates(pslg.vertices, features)
-    for vertex, feature in candidates:
-        a, b = features[feature]
+    for vertex, feature in nearest_candidates(pslg.vertices, features):
+        a, b = features[feature].tolist()
         squared = segment_distance_squared(pslg.vertices[vertex], pslg.vertices[a], pslg.vertices[b])
         key = (squared, feature, vertex)
         if best is None or key < best:
             best = key
-    return None if best is None else Nearest(best[0], best[2], features[best[1]])
+    if best is None:
+        return None
+    a, b = features[best[1]].tolist()
+    return Nearest(best[0], best[2], (a, b))

@@ -102,3 +102,14 @@ def test_long_lists_are_converted_in_pieces(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setattr(fixed_point, "_CHUNK", 7)
     pieces = FixedPoints(points)
     assert (whole.x_high == pieces.x_high).all() and (whole.y_low == pieces.y_low).all()
+
+
+@pytest.mark.parametrize("size", [1, 7, 2**40, 10**25])
+def test_plain_floats_decide_what_is_far_from_a_tie(size: int) -> None:
+    source = random.Random(size)
+    points = [Point(mpq(source.randrange(size * 1000 + 1)), mpq(source.randrange(size * 1000 + 1))) for _ in range(60)]
+    single = TurnFilter(FixedPoints(points))
+    triples = [source.sample(range(60), 3) for _ in range(500)]
+    assert [single.orientation(*triple) for triple in triples] == [
+        orientation(*(points[v] for v in triple)) for triple in triples]
+    assert single.second <= 10 and single.third <= 10

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from fractions import Fraction
-from math import isclose, sqrt
+from math import isclose, log2, sqrt
 from typing import Any
 
 import families
@@ -13,6 +13,7 @@ from gmpy2 import mpq
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from exactmesh.geometry.decisions import decisions, forget
 from exactmesh.geometry.distance import segment_distance_squared
 from exactmesh.geometry.point import Point
 from exactmesh.measure.candidates import nearest_candidates
@@ -151,6 +152,67 @@ def test_coordinates_of_thirty_digits_that_differ_in_the_last() -> None:
                  [(0, 1), (1, 2), (2, 3), (3, 4), (4, 0)])
     found = judged(graph)
     assert found is not None and found.squared < 4
+
+
+# --- filters that stay sharp: the number of exact evaluations grows with n, whatever the scale of the features ---
+
+
+def flat_comb(teeth: int, gap: mpq) -> Pslg:
+    """Return a comb of teeth of length 1 and nearly parallel sides; tips are about `gap` from the next tooth."""
+    corners: list[tuple[mpq, mpq]] = []
+    for i in range(teeth):
+        corners += [(mpq(0), 3 * i * gap), (1 - mpq(i * i % 17, 1000), (3 * i + 1 + mpq(i % 7, 10)) * gap)]
+    return families.ring([*corners, (mpq(0), 3 * teeth * gap), (mpq(-1), 3 * teeth * gap), (mpq(-1), mpq(0))])
+
+
+def strips(lines: int, gap: mpq) -> Pslg:
+    """Return parallel segments across each other's ends: each vertex is within 2^-44 of every segment."""
+    vertices: list[tuple[Any, Any]] = []
+    for i in range(lines):
+        vertices += [(mpq(i, 3 * lines), i * gap), (1 + mpq(i * i % 101, 301), (i + mpq(i % 5, 50)) * gap)]
+    return pslg(vertices, [(2 * i, 2 * i + 1) for i in range(lines)])
+
+
+def cluster(size: int, scale: mpq) -> Pslg:
+    """Return a tiny star in the middle of a room, crossed by nothing."""
+    star = families.translated(families.scaled(families.star(size), scale), mpq(1, 3), mpq(1, 7))
+    room = pslg([(-1, -1), (2, -1), (2, 2), (-1, 2)], [(0, 1), (1, 2), (2, 3), (3, 0)])
+    return Pslg((*room.vertices, *star.vertices), (*room.edges, *((u + 4, v + 4) for u, v in star.edges)))
+
+
+def fan(spokes: int, scale: mpq) -> Pslg:
+    """Return long segments that all end near one place, `scale` apart, and small ones among them."""
+    vertices: list[tuple[Any, Any]] = []
+    for i in range(spokes):
+        vertices += [(scale * i, scale * (i * i % 11)), (mpq(2) + mpq(i, spokes), mpq(-1) + mpq(2 * i, spokes))]
+        vertices += [(-scale * (i + 1), scale * (i % 3)), (-scale * (i + mpq(4, 3)), scale * (i % 3 + mpq(1, 3)))]
+    return pslg(vertices, [(i, i + 1) for i in range(0, 4 * spokes, 2)])
+
+
+ADVERSE: dict[str, Callable[[int], Pslg]] = {
+    "flat comb, 2^-60": lambda n: flat_comb(n, mpq(1, 2**60)),
+    "flat comb, 10^-24": lambda n: flat_comb(n, mpq(1, 10**24)),
+    "strips, 2^-60": lambda n: strips(n, mpq(1, 2**60)),
+    "strips, 10^-23": lambda n: strips(n, mpq(1, 10**23)),
+    "cluster, 10^-16": lambda n: cluster(n, mpq(1, 10**16)),
+    "cluster, 10^-40": lambda n: cluster(n, mpq(1, 10**40)),
+    "cluster, 10^-200": lambda n: cluster(n, mpq(1, 10**200)),
+    "fan, 10^-18": lambda n: fan(n, mpq(1, 10**18)),
+    "fan, 10^-50": lambda n: fan(n, mpq(1, 10**50)),
+}
+
+
+@pytest.mark.parametrize("name", ADVERSE)
+def test_tiny_features_cost_no_more_exact_evaluations_than_there_are_vertices(name: str) -> None:
+    judged(ADVERSE[name](12))
+    for n in (100, 400):
+        graph = ADVERSE[name](n)
+        forget()
+        assert minimum_feature_size(graph) is not None
+        count = decisions()["least distance"]
+        assert count.exactly <= len(graph.vertices)
+        # And no more than so many pairs are looked at by floats.
+        assert count.by_floats <= 25 * len(graph.vertices) * log2(len(graph.vertices))
 
 
 # --- laws ---
