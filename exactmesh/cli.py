@@ -4,24 +4,21 @@ Exit status: 0 all that was asked for holds; 1 a claim fails (results are still 
 2 usage or input refused; 130 interrupted.
 """
 
-import argparse
 import contextlib
-import importlib
 import os
 import sys
 from collections.abc import Sequence
 
-import exactmesh
-from exactmesh.commands import MODULES
 from exactmesh.commands.exit_status import FAILS, INTERRUPTED, REFUSED
 from exactmesh.commands.limits import limits_of
+from exactmesh.commands.parser import parser_of
 from exactmesh.errors import ConstructionFailed, InputError
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
     words = sys.argv[1:] if argv is None else argv
-    args = _parser(words[0] if words else "").parse_args(words)
+    args = parser_of(words[0] if words else "").parse_args(words)
     try:
         with limits_of(args):
             status: int = args.run(args)
@@ -55,18 +52,3 @@ def _abandon_output() -> None:
     """Leave nothing for the interpreter to flush into a pipe without a reader, or onto a full disk."""
     with contextlib.suppress(OSError, ValueError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-
-
-def _parser(chosen: str) -> argparse.ArgumentParser:
-    """Return the parser of the chosen command; of all commands if it is none, for help or a refusal."""
-    parser = argparse.ArgumentParser(
-        prog="exactmesh", description="Triangulate polygons and planar straight-line graphs with exact numbers so that "
-        "the minimum feature size (mfs) is kept up to a constant factor, and check every step.",
-        epilog="Exit status: 0 all that was asked for holds, 1 a claim fails, 2 usage or input refused, 130 "
-        "interrupted. A FILE is exactmesh-pslg/1, GeoJSON, WKT or Triangle's .poly; - is standard input.")
-    parser.add_argument("--version", action="version", version=f"exactmesh {exactmesh.__version__}")
-    commands = parser.add_subparsers(required=True, metavar="COMMAND")
-
-    for module in dict.fromkeys([MODULES[chosen]] if chosen in MODULES else MODULES.values()):
-        importlib.import_module(f"exactmesh.commands.{module}").add(commands)
-    return parser

@@ -4,6 +4,5 @@ MODULES = {
     "mfs": "size", "ifs": "size", "mesh": "mesh", "verify": "verify", "check": "check", "claims": "claims",
     "reproduce": "reproduce", "dissect": "dissect", "verify-dissection": "verify_dissection", "prove": "prove",
     "search": "search", "hits": "hits", "verify-run": "verify_run", "examples": "examples", "convert": "convert",
-    "degradation": "degradation",
-    "view": "view", "plot": "plot", "trust": "trust",
+    "degradation": "degradation", "view": "view", "plot": "plot", "trust": "trust", "completion": "completion",
 }

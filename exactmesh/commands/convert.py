@@ -6,6 +6,7 @@ import sys
 
 from exactmesh import report_foreign
 from exactmesh.commands.exit_status import HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_quiet
 from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_bytes
@@ -19,11 +20,8 @@ def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
     command = commands.add_parser(
         "convert", help="write a PSLG or a mesh in another format",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Write a PSLG, or with --mesh a mesh (exactmesh-mesh/1), in another format. What a format cannot "
-        "hold exactly\nis rounded; then the exact feature size of what was written is printed beside the old one.",
-        epilog="examples:\n  exactmesh convert outline.dxf -o outline.geojson\n"
-        "  exactmesh convert --mesh outline.mesh.json -o outline.vtu")
+        "hold exactly\nis rounded; then the exact feature size of what was written is printed beside the old one.")
     command.add_argument("file", metavar="FILE")
     command.add_argument("-o", "--output", metavar="OUT", required=True, help="where to write it")
     command.add_argument("--mesh", action="store_true", help="FILE is a mesh")
@@ -31,6 +29,7 @@ def add(commands: Subparsers) -> None:
                          "json (exactmesh-pslg/1), geojson, wkt, wkb, poly, svg, dxf, cgshop (an instance); for a mesh "
                          "json, geojson, ele, cgshop (a solution), or one of meshio's: vtu, vtk, obj, off, msh, ...")
     command.add_argument("--pslg", metavar="P", help="the instance of a CG:SHOP solution")
+    add_limits(command)
     add_quiet(command)
     command.set_defaults(run=_run)
 

@@ -4,6 +4,7 @@ import argparse
 
 from exactmesh import report_foreign
 from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.limits import add_limits
 from exactmesh.commands.options import Subparsers, add_quiet
 from exactmesh.io.decimals import nearest_double, rounded
 from exactmesh.io.read import read_pslg
@@ -18,16 +19,14 @@ def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
     command = commands.add_parser(
         "degradation", help="the exact degradation of any mesher's output",
-        formatter_class=argparse.RawDescriptionHelpFormatter,
         description="Compare a mesh by any mesher with its input, exactly: whether it is a mesh of the input, its mfs "
         "and degradation,\nand how many vertices it has beyond the input's, on the boundary and elsewhere. Exit status "
-        "1 when it is no mesh\nof the input, not even after the input is rounded to doubles as meshers do.",
-        epilog="examples:\n  exactmesh degradation outline.poly outline.1.ele\n"
-        "  exactmesh degradation outline.geojson outline.msh")
+        "1 when it is no mesh\nof the input, not even after the input is rounded to doubles as meshers do.")
     command.add_argument("pslg", metavar="PSLG")
     command.add_argument("mesh", metavar="MESH", help="exactmesh-mesh/1, Triangle's .ele with its .node, a CG:SHOP "
                          "solution, or what meshio reads: .msh, .vtu, .obj, .off, ...")
     command.add_argument("--json", action="store_true", help="print one JSON object")
+    add_limits(command)
     add_quiet(command)
     command.set_defaults(run=_run)
 
