@@ -62,7 +62,7 @@ def pslg_as_written(text: str) -> Pslg | None:
         if not isinstance(name, str):
             return None
         holes = each(rest.get("holes", []), "holes", point)
-    except (_Otherwise, FormatError, ValueError, ZeroDivisionError):
+    except (_Otherwise, FormatError, ValueError, ZeroDivisionError, RecursionError):
         return None
     return Pslg(vertices, tuple((u, v) for u, v in edges), holes, name)
 
@@ -78,7 +78,7 @@ def mesh_as_written(text: str) -> Mesh | None:
     try:
         vertices, at = _points(text, start.end())
         faces, at = _index_rows(text, _end(_FACES, text, at), len(vertices))
-    except (_Otherwise, ValueError, ZeroDivisionError):
+    except (_Otherwise, ValueError, ZeroDivisionError, RecursionError):
         return None
     if kind is None or text[at:].translate(_NOTHING) != "}" or min(map(len, faces)) < 3:
         return None

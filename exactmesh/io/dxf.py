@@ -8,11 +8,13 @@ and blocks are refused; text, dimensions and hatches draw no edge and are skippe
 import io
 from typing import Any
 
-from exactmesh.errors import FormatError
+from exactmesh.errors import FormatError, InputError
 from exactmesh.geometry.point import Point
 from exactmesh.io.decimals import nearest_double
 from exactmesh.io.library import library
+from exactmesh.io.limits import TEXT_SEPARATORS, check_text
 from exactmesh.io.rings import Assembly, Run
+from exactmesh.io.text import quoted
 from exactmesh.numbers.rational import rational_from_float
 from exactmesh.planar.pslg import Pslg
 
@@ -21,12 +23,21 @@ _CURVED = ("ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "INSERT", "MLINE")
 
 
 def pslg_from_dxf(text: str) -> Pslg:
-    """Return the PSLG of a file's text; raises `FormatError` naming the entity by its handle. Needs ezdxf."""
+    """Return the PSLG of a file's text; needs ezdxf.
+
+    Raises `FormatError` naming the entity by its handle; for text that is not DXF, and sizes beyond the limits.
+    """
+    check_text(text, TEXT_SEPARATORS)
     ezdxf = library("ezdxf", "formats")
     try:
-        document = ezdxf.read(io.StringIO(text))
-    except (ezdxf.DXFError, ValueError, TypeError, AttributeError, IndexError, KeyError) as error:
-        raise FormatError("", f"this is not DXF: {error}") from None
+        return _pslg(ezdxf.read(io.StringIO(text)))
+    except InputError:
+        raise
+    except Exception as error:  # the library's own, and what it runs into where the file is broken
+        raise FormatError("", f"this is not DXF: {quoted(str(error).strip())}") from None
+
+
+def _pslg(document: Any) -> Pslg:
     assembly = Assembly()
     holes: list[Point] = []
     for entity in document.modelspace():

@@ -29,6 +29,7 @@ from unittest.mock import patch
 
 sys.path.extend(str(Path(__file__).parent.parent / name) for name in ("", "certificate"))
 
+import shapely
 from triples import base
 
 from exactmesh import check
@@ -38,9 +39,10 @@ from exactmesh.dissection.dissection_json import json_from_dissection, read_diss
 from exactmesh.errors import FormatError, InputError
 from exactmesh.geometry.point import Point
 from exactmesh.io.limits import Limits, limited
-from exactmesh.io.mesh_json import json_from_mesh
-from exactmesh.io.pslg_json import json_from_pslg
+from exactmesh.io.mesh_json import json_from_mesh, mesh_from_json
+from exactmesh.io.pslg_json import json_from_pslg, pslg_from_json
 from exactmesh.io.read import read_mesh, read_pslg
+from exactmesh.io.text import text_from_bytes
 from exactmesh.io.triangle_poly import poly_from_pslg
 from exactmesh.numbers.rational import rational
 from exactmesh.planar.pslg import Pslg, polygon
@@ -62,6 +64,7 @@ def from_bytes(read: Callable[[str], Any], data: bytes) -> Any:
 def pslg(data: bytes) -> str:
     """Read and write a PSLG of any format; return its form."""
     found: Pslg = from_bytes(read_pslg, data).pslg
+    require_same_by_json(data, pslg_from_json, found)
     require(from_bytes(read_pslg, json_from_pslg(found).encode()).pslg == found, "the PSLG is written otherwise")
     try:
         text = poly_from_pslg(found)
@@ -75,6 +78,7 @@ def pslg(data: bytes) -> str:
 
 def mesh(data: bytes) -> str:
     found = from_bytes(read_mesh, data).mesh
+    require_same_by_json(data, mesh_from_json, found)
     require(from_bytes(read_mesh, json_from_mesh(found).encode()).mesh == found, "the mesh is written otherwise")
     return f"{found.kind} {min(len(found.vertices), 9)} {min(len(found.faces), 9)}"
 
@@ -129,6 +133,12 @@ def cycles(found: check.Cycles) -> list[list[int]]:
     return [list(found[i]) for i in range(len(found))]
 
 
+def require_same_by_json(data: bytes, read: Callable[[str], Any], found: Any) -> None:
+    """Require that the plain reader of an exact format finds the same as the one that takes short cuts."""
+    if b"exactmesh-" in data:
+        require(read(text_from_bytes(data)) == found, "short cuts lead elsewhere")
+
+
 class Broken(Exception):
     """What was read is not what it should be."""
 
@@ -140,7 +150,7 @@ def require(holds: bool, what: str) -> None:
 
 READERS: dict[str, Callable[[bytes], str]] = {
     "pslg": pslg, "geojson": pslg, "wkt": pslg, "poly": pslg, "mesh": mesh, "dissection": dissection,
-    "certificate": certificate}
+    "certificate": certificate, "svg": pslg, "cgshop": pslg, "wkb": pslg, "dxf": pslg}
 
 
 # --- samples and words ---
@@ -175,6 +185,18 @@ TEXTS: dict[str, list[str]] = {
         "3 2 0 0\n0 0 0\n1 10 .5\n2 -1e1 3.\n3 0\n0 0 1\n1 1 2\n2 2 0\n1\n0 1 .25\n",
         "# a comment\n4 2 1 1\n1 0 0 7 1\n2 4 0 7 1\n3 4 4 7 0\n4 0 4 7 0\n\n2 1\n1 1 2 5\n2 2 3 6\n0\n1\n1 1 1 3 .1\n",
         "1\n1 0.5 2\n0\n0\n"],
+    "svg": [
+        '<svg xmlns="http://www.w3.org/2000/svg"><g><path d="M0 0 L9 0 9,9.5 h-9z m2,2 l1 0 V3 Z M1e1-.5.5 2" '
+        'fill="none"/></g><polygon points="20,0 21,0 21,1"/></svg>',
+        '<?xml version="1.0"?>\n<svg><title>a</title><rect x="0" y="0" width="4" height="3.5"/>'
+        '<polyline points="1 1 2 2 3 1"/><line x1="1" y1="2" x2="2" y2="2.5"/></svg>'],
+    "cgshop": [
+        '{"content_type": "CG_SHOP_2025_Instance", "instance_uid": "a", "num_points": 5, "points_x": [0, 9, 9, 0, 4], '
+        '"points_y": [0, 0, 9, 9, 5], "region_boundary": [0, 1, 2, 3], "num_constraints": 1, '
+        '"additional_constraints": [[0, 4]]}'],
+    "dxf": [
+        "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n9\n21\n0.5\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n"
+        "10\n1\n20\n1\n10\n2\n20\n1\n10\n2\n20\n2\n0\nPOINT\n8\nhole\n10\n1.8\n20\n1.2\n0\nENDSEC\n0\nEOF\n"],
 }
 
 
@@ -183,6 +205,10 @@ def samples(name: str) -> tuple[bytes, ...]:
     """Return valid inputs of a format."""
     if name in TEXTS:
         return tuple(text.encode() for text in TEXTS[name])
+    if name == "wkb":
+        shapes = [shapely.from_wkt(text) for text in TEXTS["wkt"]]
+        return tuple(str(shapely.to_wkb(shape, hex=True)).encode() if number % 2 else bytes(shapely.to_wkb(shape))
+                     for number, shape in enumerate(shapes))
     if name == "certificate":
         return tuple(file for base_name in ("square", "ring with a hole, classic") for file in base(base_name).files())
     if name == "mesh":
@@ -201,7 +227,7 @@ NUMBERS = [
     "0.1e-5", "1e+2", "5e-324", "1.7976931348623157e308", "1e309"]
 KEYS = ["format", "type", "vertices", "edges", "faces", "holes", "name", "kind", "coordinates", "geometry",
         "geometries", "features", "pieces", "scales", "polygons", "motions", "matrix", "translation", "witness",
-        "hole_faces", "mfs_at_least"]
+        "hole_faces", "mfs_at_least", "points_x", "region_boundary", "additional_constraints"]
 NAMES = ["exactmesh-pslg/1", "exactmesh-mesh/1", "exactmesh-dissection/1", FORMAT, "classic", "internal", *_GEOMETRY,
          "Feature", "FeatureCollection", "GeometryCollection"]
 WORDS = {
@@ -209,10 +235,14 @@ WORDS = {
              "\\", '"a', "[[", "]]", "[[[[[[", *(f'"{word}"' for word in (*KEYS, *NAMES))],
     "wkt": ["(", ")", ",", "((", "))", "POINT", "polygon", "MULTIPOLYGON", "LINESTRING", "MULTIPOINT", "EMPTY", "Z",
             "M", "ZM", "SRID=4326;", "GEOMETRYCOLLECTION", "GEOMETRYCOLLECTION (", "CURVEPOLYGON", "()", "POINT (1 2)"],
+    "svg": ["<svg>", "</svg>", "<g>", "</g>", "<path d=", "/>", ">", "<", '"', "M", "m0 0", "L", "z", "H", "C", "A",
+            "<polygon points=", " transform=", "<rect ", "width=", "<!ENTITY a", "<!DOCTYPE", "&amp;", "&a;", "<!--"],
+    "dxf": ["\n", "0\n", "10\n", "20\n", "LINE\n", "ARC\n", "INSERT\n", "SECTION\n2\nBLOCKS\n", "LWPOLYLINE\n",
+            "POLYLINE\n", "VERTEX\n", "SEQEND\n", "42\n1\n", "90\n1000000000\n", "999\n", "EOF\n", "70\n-1\n"],
     "poly": ["\n", "#", "# x\n", "0\n", "1\n", "\n\n", "3 2 0 0\n", "0 0 0\n", "1 1 2\n", "1000000000\n", "-1"],
     "all": ["\r\n", "\r", "\t", " ", "\ufeff", "\0", "\x1a", "é", "\N{EM SPACE}", "\x85", "\udcff", "\U0001f600"],
 }
-FAMILY = {"wkt": "wkt", "poly": "poly"}
+FAMILY = {"wkt": "wkt", "poly": "poly", "svg": "svg", "dxf": "dxf", "wkb": "wkt"}
 
 
 def random_value(source: random.Random, depth: int = 0) -> Any:

@@ -12,6 +12,13 @@ FOUND = {
     "seed 6, dissection 7981: a control character in an unknown key was shown as it is": (
         "dissection", '{"format": "exactmesh-dissection/1", "scales": [], "pieces": [{"polygons": [], "motions": '
         '[{"matrix": [], "transla\x85ion": []}]}]}'),
+    "seed 5, dxf 7: a line of the file in the refusal ended with a line feed": (
+        "dxf", "0\nSECTION\n2\nENTITIES\nLINE\n0\n"),
+    "seed 5, dxf 63: an infinite count was an OverflowError": (
+        "dxf", "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n1e309\n70\n1\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n"),
+    "by reading the code: the short cut for written files went too deep": (
+        "pslg", '{"format": "exactmesh-pslg/1", "vertices": [["0", "0"], ["1", "0"]], "edges": ['
+        + "[" * 10**5 + "0, 1" + "]" * 10**5 + "]}"),
 }
 _VALUES = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8) | st.sampled_from(["1/3", "-0.5e2"]),
