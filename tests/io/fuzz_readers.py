@@ -195,7 +195,8 @@ TEXTS: dict[str, list[str]] = {
         '"points_y": [0, 0, 9, 9, 5], "region_boundary": [0, 1, 2, 3], "num_constraints": 1, '
         '"additional_constraints": [[0, 4]]}'],
     "dxf": [
-        "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n9\n21\n0.5\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n"
+        "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n9\n21\n0.5\n0\nLWPOLYLINE\n100\nAcDbEntity\n8\n0\n"
+        "100\nAcDbPolyline\n90\n3\n70\n1\n"
         "10\n1\n20\n1\n10\n2\n20\n1\n10\n2\n20\n2\n0\nPOINT\n8\nhole\n10\n1.8\n20\n1.2\n0\nENDSEC\n0\nEOF\n"],
 }
 
@@ -206,9 +207,7 @@ def samples(name: str) -> tuple[bytes, ...]:
     if name in TEXTS:
         return tuple(text.encode() for text in TEXTS[name])
     if name == "wkb":
-        shapes = [shapely.from_wkt(text) for text in TEXTS["wkt"]]
-        return tuple(str(shapely.to_wkb(shape, hex=True)).encode() if number % 2 else bytes(shapely.to_wkb(shape))
-                     for number, shape in enumerate(shapes))
+        return tuple(bytes(shapely.to_wkb(shapely.from_wkt(text))) for text in TEXTS["wkt"])
     if name == "certificate":
         return tuple(file for base_name in ("square", "ring with a hole, classic") for file in base(base_name).files())
     if name == "mesh":

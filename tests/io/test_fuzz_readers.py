@@ -39,7 +39,7 @@ def test_samples_are_read(name: str) -> None:
 
 
 def test_a_short_campaign_finds_nothing() -> None:
-    faults, table = run(1, 2100, list(READERS))
+    faults, table = run(1, 3300, list(READERS))
     assert not faults, faults[0]
     for line in table.splitlines()[1:-1]:
         count, read, refused, reasons = map(int, line.split()[:4])
