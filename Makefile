@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 DEMO := build/demo
 
-.PHONY: demo test bench proofs clean
+.PHONY: demo test bench proofs docs clean
 
 demo: $(VENV)/installed
 	mkdir -p $(DEMO)
@@ -23,6 +23,9 @@ bench: $(VENV)/installed-test
 
 proofs: $(VENV)/installed-proofs
 	$(BIN)/exactmesh prove
+
+docs: $(VENV)/installed-test
+	$(BIN)/python -m mkdocs build
 
 $(VENV)/installed: pyproject.toml
 	$(PYTHON) -m venv $(VENV)

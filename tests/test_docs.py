@@ -1,0 +1,45 @@
+"""The documentation site builds with strict links, and what its pages show to do is done here."""
+
+import contextlib
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import readme
+
+ROOT = Path(__file__).parents[1]
+PAGES = [ROOT / "docs" / name for name in (
+    "tutorial.md", "how-to/own-file.md", "how-to/verify.md", "how-to/cluster.md", "how-to/cite.md")]
+FAILS = "--stop-at-first"  # the search that is meant to end with a violation
+_FILE = re.compile(r"```text (\S+)\n(.*?)```", re.DOTALL)
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_the_commands_do_what_is_said(page: Path, tmp_path: Path) -> None:
+    text = page.read_text(encoding="utf-8")
+    with contextlib.chdir(tmp_path):
+        for name, content in _FILE.findall(text):
+            Path(name).write_text(content, encoding="utf-8")
+        commands = readme.commands(text)
+        assert commands
+        for command in commands:
+            assert readme.run(command)[0] == (1 if FAILS in command else 0), command
+
+
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").rglob("*.md")), ids=lambda page: page.stem)
+def test_the_python_runs(page: Path) -> None:
+    for block in re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL):
+        subprocess.run([sys.executable, "-c", block], check=True)
+
+
+def test_the_site_is_built_with_strict_links(tmp_path: Path) -> None:
+    done = subprocess.run([sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", tmp_path],
+                          cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    errata = (tmp_path / "errata" / "index.html").read_text(encoding="utf-8")
+    assert "theorem-1.degradation" in errata and "lemma-1.degradation" not in errata
+    assert "Re-checked" in (tmp_path / "theorems" / "lemma-1" / "index.html").read_text(encoding="utf-8").replace(
+        "re-checked", "Re-checked")
+    assert (tmp_path / "reference" / "index.html").read_text(encoding="utf-8").count("exactmesh.api") > 5
