@@ -9,7 +9,7 @@ class Camera {
     this.width = 1;
     this.height = 1;
     this.least = 1e-3;
-    this.greatest = 1e12;
+    this.greatest = 1e13;
   }
 
   toScreenX(x) {

@@ -93,8 +93,12 @@ def _claim(claim: ClaimRecord, subject: Subject) -> dict[str, object]:
     place = witness if isinstance(witness, Mapping) else {}
     return {**{name: claim[name] for name in ("id", "paper", "statement", "bound", "instances", "holds", "worst")},
             "clause": str(place.get("clause", "")),
-            "place": [[name, str(value)] for name, value in place.items() if name != "clause"],
+            "place": [[name, _text(value)] for name, value in place.items() if name != "clause"],
             "marks": _marks(subject.places.marks(place))}
+
+
+def _text(value: object) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list | tuple) else str(value)
 
 
 def _marks(marks: Marks) -> dict[str, object]:

@@ -106,7 +106,8 @@ class Painter {
     });
   }
 
-  label(camera, x, y, text, colour) {
+  /** Writes beside a point of the plane, above it or `below`. */
+  label(camera, x, y, text, colour, below) {
     const { top } = this, px = camera.toScreenX(x), py = camera.toScreenY(y);
     if (px < 0 || py < 0 || px > camera.width || py > camera.height) return;
     top.font = "13px system-ui, sans-serif";
@@ -115,7 +116,7 @@ class Painter {
     top.lineWidth = 4;
     top.strokeStyle = this.colour.paper;
     top.fillStyle = colour;
-    const at = [px + (left ? -9 : 9), py < 24 ? py + 20 : py - 9];
+    const at = [px + (left ? -9 : 9), below || py < 24 ? py + 20 : py - 9];
     top.strokeText(text, ...at);
     top.fillText(text, ...at);
   }
@@ -146,14 +147,16 @@ class Painter {
     const crowded = seen.length > Painter.MANY_EDGES;
     /* The more of the window lines would cover, the fainter they are: the shades of the faces stay visible. */
     let length = 0;
-    for (const e of seen) {
+    const long = seen.filter(e => {
       const a = scene.edges[2 * e], b = scene.edges[2 * e + 1];
-      length += Math.min(Math.hypot(scene.x[a] - scene.x[b], scene.y[a] - scene.y[b]) * camera.scale, camera.width);
-    }
+      const pixels = Math.hypot(scene.x[a] - scene.x[b], scene.y[a] - scene.y[b]) * camera.scale;
+      length += Math.min(pixels, camera.width);
+      return pixels > 0.3;
+    });
     this.ground.globalAlpha = Math.min(1, Math.max(0.12, 0.15 * camera.width * camera.height / length));
     /* Lines up to a pixel wide are drawn in a much faster way. */
     this.#stroke(camera, this.colour.line, (crowded ? 0.9 : 1.1) / this.ratio, add => {
-      for (const e of seen) {
+      for (const e of long) {
         const a = scene.edges[2 * e], b = scene.edges[2 * e + 1];
         add(scene.x[a], scene.y[a], scene.x[b], scene.y[b]);
       }

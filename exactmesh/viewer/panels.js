@@ -140,7 +140,7 @@ function drawMarks(view, { sizes = [], marks = null, chosen = null, hovered = nu
   if (painter.show.witness) {
     for (const size of sizes) {
       const ends = scene.shortest(size), shade = size.of === "mesh" ? colour.witness : colour["input-witness"];
-      painter.label(camera, ends[0], ends[1], `mfs of the ${size.of} ≈ ${size.decimal}`, shade);
+      painter.label(camera, ends[0], ends[1], `mfs of the ${size.of} ≈ ${size.decimal}`, shade, size.of === "mesh");
     }
   }
 }

@@ -57,7 +57,7 @@ class Viewer {
 
   showSize(size) {
     const [x0, y0, x1, y1] = this.scene.shortest(size);
-    this.view.flyToBox([Math.min(x0, x1), Math.min(y0, y1), Math.max(x0, x1), Math.max(y0, y1)], 0.35);
+    this.view.flyToBox([Math.min(x0, x1), Math.min(y0, y1), Math.max(x0, x1), Math.max(y0, y1)], 0.42);
   }
 
   find(text) {

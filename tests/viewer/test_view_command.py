@@ -4,11 +4,14 @@ import json
 from pathlib import Path
 
 import pytest
+import readme
 from pages import L_SHAPE
 
 from exactmesh.cli import main
 from exactmesh.io.pslg_json import json_from_pslg
 from exactmesh.planar.pslg import polygon
+
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
@@ -51,6 +54,14 @@ def test_a_mesh_with_whatever_is_known_of_it(folder: Path, capsys: pytest.Captur
     assert main(["view", "l.json", "--construction", "paper", "-o", "page.html"]) == 0
     assert names(page) == ["Input", "Mesh"] and len(data(page)["claims"]) > 50  # type: ignore[arg-type]
     assert capsys.readouterr() == ("", "")
+
+
+def test_the_commands_of_the_page_in_docs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    commands = readme.commands((ROOT / "docs" / "viewer.md").read_text(encoding="utf-8"))
+    assert len(commands) == 3
+    assert [readme.run(command)[0] for command in commands] == [0, 0, 0]
+    assert names(tmp_path / "page.html")[1:5] == ["Q", "Trapezoids", "Interior", "Tube"]
 
 
 def test_meshes_of_others(folder: Path) -> None:
