@@ -7,7 +7,8 @@ Check   `exactmesh/check.py`, `exactmesh/check.c`; docs/certificate.md proves th
 
 Around each vertex of the mesh there must be room for a disc as large as the bound claims. The faces of the mesh leave
 it by definition of their feature size. The rest, outside and holes, is first triangulated without new vertices; where
-that leaves too little room it is meshed by the repaired construction, which leaves about a fifth of the input's mfs.
+that leaves too little room it is meshed by the repaired construction, which leaves about a fifth of the input's mfs, or
+optimised where the mesh has more.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -23,6 +24,7 @@ from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
 from exactmesh.measure.validity import Verification
 from exactmesh.numbers.rational import decimal_text, sqrt_below, text_from_rational
+from exactmesh.optimize.optimize import optimize
 from exactmesh.planar.bounding_box import with_bounding_box
 from exactmesh.planar.cycles import Cycle, directed_edges, sides
 from exactmesh.planar.faces import Subdivision, domain_of
@@ -31,6 +33,9 @@ from exactmesh.planar.pslg import Pslg
 from exactmesh.repaired import construct
 
 _DIGITS = 12
+_TARGET_BITS = 24
+# The share of the squared mfs that the repaired construction leaves as room, about.
+_CONSTRUCTION_LEAVES = mpq(1, 25)
 
 
 def certificate_of(subdivision: Subdivision, mesh: Mesh, verification: Verification, pslg_sha256: str,
@@ -69,10 +74,20 @@ def _rest(subdivision: Subdivision, mesh: Mesh, mfs_squared: mpq, enough: mpq, p
     if first[2] == enough:
         return first
     try:
-        second = placed(construct(complement, mfs_squared, lambda step: progress(f"certificate: {step}")).mesh)
+        second = placed(_meshed(complement, mfs_squared, enough, lambda step: progress(f"certificate: {step}")))
     except ConstructionFailed:
         return first  # less room, but room
     return max(first, second, key=lambda made: made[2])
+
+
+def _meshed(complement: Subdivision, mfs_squared: mpq, enough: mpq, progress: Callable[[str], None]) -> Mesh:
+    """Return a mesh of the rest with `enough` room, squared, as far as that can be had."""
+    if enough <= _CONSTRUCTION_LEAVES * mfs_squared:
+        return construct(complement, mfs_squared, progress).mesh
+    made = optimize(complement, target=sqrt_below(mfs_squared / enough, _TARGET_BITS), progress=progress)
+    if made.reason == "interrupted":
+        raise KeyboardInterrupt
+    return made.mesh
 
 
 def _complement(subdivision: Subdivision, mesh: Mesh) -> Pslg:

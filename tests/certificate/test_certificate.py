@@ -62,7 +62,7 @@ def test_proper_meshes_have_certificates(pslg: Pslg) -> None:
 def test_the_rest_is_meshed_only_where_a_triangulation_leaves_too_little_room() -> None:
     assert len(base("square").certificate["vertices"]) == 4
     for name in ("growth, classic", "map 1, classic"):
-        assert len(base(name).certificate["vertices"]) > 20
+        assert len(base(name).certificate["vertices"]) > 4
 
 
 def test_a_rest_that_cannot_be_meshed_leaves_less_room_but_a_certificate() -> None:
@@ -70,7 +70,7 @@ def test_a_rest_that_cannot_be_meshed_leaves_less_room_but_a_certificate() -> No
         raise ConstructionFailed("tube", None)
 
     run = _run(BASES["growth, classic"][0], "classic")
-    with patch("exactmesh.certificate.make.construct", fails):
+    with patch("exactmesh.certificate.make._meshed", fails):
         found = certificate_of(run.subdivision, run.mesh, run.verification, "", "")
     assert len(found.vertices) == 4
     assert Fraction(found.mfs_squared_at_least) < Fraction(base("growth, classic").certificate["mfs_squared_at_least"])
