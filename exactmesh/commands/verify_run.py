@@ -25,7 +25,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--construction", choices=("repaired", "paper", "both"), default="repaired")
     command.add_argument("--kind", choices=KINDS)
     command.add_argument("--count", type=positive, default=1000,
-                         help="figures of each random family, in whole hundreds beyond a hundred (default: 1000)")
+                         help="figures of each random family, in whole tasks of up to a hundred (default: 1000)")
     command.add_argument("--seed", type=int, default=0)
     command.add_argument("--shrink", action="store_true",
                          help="shrink inputs that violate a claim, check them again and keep them as finds")

@@ -45,7 +45,11 @@ def minimum_feature_size(pslg: Pslg) -> Nearest | None:
     points_only = np.concatenate((np.flatnonzero(degree == 0), alone.ravel()))
     features = np.concatenate((ends, np.column_stack((points_only, points_only))))
     best: tuple[mpq, int, int] | None = None
-    for vertex, feature in nearest_candidates(pslg.vertices, features):
+    if count * len(features) <= _FEW:
+        candidates = [(v, f) for f, pair in enumerate(features.tolist()) for v in range(count) if v not in pair]
+    else:
+        candidates = nearest_candidates(pslg.vertices, features)
+    for vertex, feature in candidates:
         a, b = features[feature].tolist()
         squared = segment_distance_squared(pslg.vertices[vertex], pslg.vertices[a], pslg.vertices[b])
         key = (squared, feature, vertex)

@@ -16,6 +16,7 @@ from exactmesh.search.targets import OBJECTIVES, target_of
 Target = tuple[str, str, str]
 _LINES = 100
 _FIGURES = 100
+_CORNERS = 20_000
 _SUFFIXES = (".json", ".geojson", ".wkt", ".poly", ".txt")
 
 
@@ -66,10 +67,12 @@ def input_tasks(inputs: Sequence[str], refused: list[str]) -> Iterator[Task]:
 
 
 def family_spec(text: str, targets: tuple[Target, ...], seed: int, count: int, shrinks: bool) -> Spec:
-    """Return the spec of `count` figures of a family written `name:parameter=value,...`, or `path.py:function`."""
+    """Return the spec of `count` figures of a family written `name:parameter=value,...`, or `path.py:function`: a
+    hundred a task, fewer of large ones."""
     family, parameters, plugin = parsed_family(text)
+    figures = max(1, min(count, _FIGURES, _CORNERS // max(1, dict(parameters).get("n", 1))))
     strategy = "exhaustive" if family == "lattice" else "random"
-    return Spec(targets, strategy, family, parameters, plugin, seed, min(count, _FIGURES), shrinks=shrinks).checked()  # type: ignore[arg-type]
+    return Spec(targets, strategy, family, parameters, plugin, seed, figures, shrinks=shrinks).checked()  # type: ignore[arg-type]
 
 
 def parsed_family(text: str) -> tuple[str, tuple[tuple[str, int], ...], str]:

@@ -36,6 +36,8 @@ _WANTED_LOW, _WANTED_HIGH = float(ball_of(FEATURE_SQUARED).low()[0]), float(ball
 _DIAGONAL = tuple(map(Piece, DIAGONALS))
 _CORNERS = np.array([[j for j in range(4) if j != i] for i in range(4)])
 _TRIANGLE = tuple(Piece((tuple(corners),)) for corners in _CORNERS.tolist())
+# So few quadrilaterals take less time by the exact rules than arrays do.
+_FEW = 12
 # Candidates that are measured at once.
 _ROUND = 1 << 10
 
@@ -50,6 +52,10 @@ class OneSided(NamedTuple):
 
 def triangulate_quads(points: Columns, corners: Sequence[Sequence[int]]) -> Iterator[Piece]:
     """Yield `quad` of each quadrilateral."""
+    if len(corners) <= _FEW:
+        note("quad", len(corners), len(corners))
+        yield from (quad([points[v] for v in names]) for names in corners)
+        return
     at = indices(chain.from_iterable(corners), 4 * len(corners)).reshape(-1, 4)
     choice = np.full(len(at), _OPEN)
     for start, part in chunks(at):
@@ -100,6 +106,9 @@ def _signed_heights(points: Columns, a: Ints, b: Ints, c: Ints) -> Balls:
 
 def triangulate_one_sided_ones(points: Columns, jobs: Sequence[OneSided], proper: bool = False) -> list[Piece]:
     """Return `triangulate_one_sided` of each quadrilateral."""
+    if len(jobs) <= _FEW:
+        note("one-sided", len(jobs), len(jobs))
+        return [_exactly(points, job, proper) for job in jobs]
     found: list[Piece | None] = [None] * len(jobs)
     by_gaps: dict[int, list[int]] = defaultdict(list)
     fans = []
