@@ -3,11 +3,12 @@
 A nonproper one has degradation below 21.6; a proper one pays a logarithm.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from gmpy2 import mpq
 
+from exactmesh.collector import collector_paused
 from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import Subdivision
@@ -39,6 +40,7 @@ class Construction:
                 + self.tube.points)
 
 
+@collector_paused()
 def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[str], None] = lambda step: None,
               kind: Kind = "nonproper") -> Construction:
     """Return the mesh of the domain of `subdivision`, step by step; `progress` is told the name of each step.
@@ -66,9 +68,16 @@ def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[s
     tube = (triangulate_tube_in_columns(shape, q, recorded, points) if kind == "internal" else
             triangulate_tube(shape, q, recorded, points, kind == "proper"))
     points += tube.points
-    scaled = tuple(Point(p.x * shape.unit, p.y * shape.unit) for p in points[len(shape.points) :])
-    mesh = Mesh(kind, subdivision.pslg.vertices + scaled, shape.triangles + interior.faces + tube.faces)
+    mesh = Mesh(kind, subdivision.pslg.vertices + _scaled(q.points + chords.points, interior.points + tube.points,
+                                                          shape.unit), shape.triangles + interior.faces + tube.faces)
     return Construction(shape, q, chords, interior, tube, mesh)
+
+
+def _scaled(on_levels: Sequence[Point], others: Sequence[Point], unit: mpq) -> tuple[Point, ...]:
+    """Return points in the units of the input; those on one level, which share an ordinate, still share it."""
+    ordinates = {p.y: p.y * unit for p in {id(p.y): p for p in on_levels}.values()}
+    return (*(Point(p.x * unit, ordinates[p.y]) for p in on_levels),
+            *(Point(p.x * unit, p.y * unit) for p in others))
 
 
 def _refuse_shared_edges(subdivision: Subdivision) -> None:

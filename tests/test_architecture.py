@@ -14,7 +14,7 @@ RANKS = {
     "errors": 0, "numbers": 1, "geometry": 2, "planar": 3, "measure": 4, "io": 5, "data": 6, "steps": 6, "proofs": 6,
     "families": 7, "optimize": 8, "pictures": 8.5,
     "repaired": 7, "paper": 7, "classic": 7, "check": 0, "certificate": 9, "claims": 8, "api": 9, "report": 10,
-    "report_ledger": 11, "report_foreign": 11, "search": 14, "reproduce": 15.5, "dissection": 15, "viewer": 16, "progress": 1, "trust": 1, "commands": 19,
+    "report_ledger": 11, "report_foreign": 11, "search": 14, "reproduce": 15.5, "bench": 16, "dissection": 15, "viewer": 16, "progress": 1, "collector": 0, "trust": 1, "commands": 19,
     "__init__": 12, "cli": 20, "__main__": 21,
 }
 # Rooms at one height that do not know each other, beyond what the ranks say.
@@ -23,7 +23,7 @@ FORBIDDEN = {
     "measure": {"steps", "claims", "repaired", "paper", "io"},
     "io": {"steps", "claims", "repaired", "paper", "api", "report"},
 }
-BUILDERS = {"quad", "nested", "one_sided", "frame", "heights"}
+BUILDERS = {"quad", "nested", "one_sided", "frame", "heights", "pieces"}
 
 
 def name_of(path: Path) -> str:
@@ -66,7 +66,7 @@ def room(module: str) -> str:
 
 def test_something_is_looked_at() -> None:
     assert len(MODULES) > 50 and sum(map(len, IMPORTS.values())) > 200
-    assert "exactmesh.steps.one_sided" in IMPORTS["exactmesh.steps.patch_builder"]
+    assert "exactmesh.steps.pieces" in IMPORTS["exactmesh.steps.patch_builder"]
     assert "exactmesh.measure.verdict" in IMPORTS["exactmesh.steps.offset_check"]
 
 

@@ -9,6 +9,7 @@ from exactmesh.claims.result import RESULT_CLAIMS
 from exactmesh.claims.run import Run
 from exactmesh.claims.section_2_boundary import BOUNDARY_CLAIMS
 from exactmesh.claims.section_2_mesh import MESH_CLAIMS
+from exactmesh.collector import collector_paused
 from exactmesh.errors import InputError
 
 # The places in the order of the paper; an id begins with its place.
@@ -45,4 +46,6 @@ def judge(run: Run) -> Iterator[Judgement]:
     for claim in CLAIMS:
         if claim.check is not None and claim.concerns(run):
             run.progress(claim.id)
-            yield Judgement(claim, claim.check(run))
+            with collector_paused():
+                verdict = claim.check(run)
+            yield Judgement(claim, verdict)

@@ -44,12 +44,12 @@ def _separation(run: Run) -> Verdict:
 
 
 def _nesting(run: Run) -> Verdict:
-    return offset_check.check_nesting(run.repaired.shape, run.repaired.offset)
+    return offset_check.check_nesting(run.repaired.shape, run.repaired.offset, run.columns)
 
 
 def _trapezoids_tile(run: Run) -> Verdict:
     made = run.repaired
-    return trapezoidation_check.check_tiling(made.offset, made.trapezoidation, run.columns)
+    return trapezoidation_check.check_tiling(made.offset, made.trapezoidation, run.columns, run.chains)
 
 
 def _chord_gap(run: Run) -> Verdict:
@@ -81,21 +81,22 @@ def _edge_gap(run: Run) -> Verdict:
 
 def _interior_tiles(run: Run) -> Verdict:
     made = run.repaired
-    return patch_check.check_interior_tiling(made.offset, made.trapezoidation, made.interior, run.columns, run.chains)
+    return patch_check.check_interior_tiling(made.offset, made.trapezoidation, made.interior, run.columns, run.chains,
+                                             run.interior_columns)
 
 
 def _interior_feature(run: Run) -> Verdict:
-    return patch_check.check_feature(run.repaired.interior, run.columns)
+    return patch_check.check_feature(run.repaired.interior, run.columns, run.interior_columns)
 
 
 def _tube_tiles(run: Run) -> Verdict:
     made = run.repaired
     return patch_check.check_tube_tiling(made.shape, made.offset, made.trapezoidation, made.interior, made.tube,
-                                         run.columns, run.chains)
+                                         run.columns, run.chains, run.tube_columns)
 
 
 def _tube_feature(run: Run) -> Verdict:
-    return patch_check.check_feature(run.repaired.tube, run.columns)
+    return patch_check.check_feature(run.repaired.tube, run.columns, run.tube_columns)
 
 
 def _vertex_count(run: Run) -> Verdict:

@@ -20,7 +20,7 @@ from exactmesh.repaired import Construction, construct
 from exactmesh.steps.edge_chains import Chains, Misplaced
 from exactmesh.steps.offset_check import check_thickness
 from exactmesh.steps.offset_curve import offset_curve
-from exactmesh.steps.patch_check import chains_of
+from exactmesh.steps.patch_check import PatchColumns, chains_of
 from exactmesh.steps.records import OffsetCurve
 from exactmesh.steps.trapezoidation_check import check_gaps
 
@@ -111,9 +111,19 @@ class Run:
         return chains_of(made.offset, made.trapezoidation, made.interior, self.columns)
 
     @cached_property
+    def interior_columns(self) -> PatchColumns:
+        """The faces of the repaired construction's Interior, for its checkers."""
+        return PatchColumns(self.repaired.interior, self.columns)
+
+    @cached_property
+    def tube_columns(self) -> PatchColumns:
+        """The faces of the repaired construction's Tube, for its checkers."""
+        return PatchColumns(self.repaired.tube, self.columns)
+
+    @cached_property
     def offset_thickness(self) -> tuple[Verdict, Verdict]:
         """The verdicts on the least and on the greatest distance of offset edges from their edges."""
-        return check_thickness(self.repaired.shape, self.repaired.offset)
+        return check_thickness(self.repaired.shape, self.repaired.offset, self.columns)
 
     @cached_property
     def chord_gaps(self) -> tuple[Verdict, Verdict]:

@@ -109,20 +109,14 @@ class Balls:
         signs: NDArray[np.int8] = (self.mid > rad).astype(np.int8) - (self.mid < -rad).astype(np.int8)
         return signs
 
-    def first_least(self) -> Ints:
-        """Return the places that may hold the least number, in order; all that hold it are among them."""
-        return _not_beaten(self.low(), self.high())
+    @_quiet
+    def sums(self, start: Ints) -> "Balls":
+        """Return the sums of stretches that begin at the given places, none of them empty, up to the end.
 
-    def first_greatest(self) -> Ints:
-        """Return the places that may hold the greatest number, in order; all that hold it are among them."""
-        return _not_beaten(-self.high(), -self.low())
-
-
-def _not_beaten(low: Floats, high: Floats) -> Ints:
-    """Return the places whose lower bound is not sure to be above the least upper bound."""
-    bound = np.fmin.reduce(high) if high.size else np.inf
-    with _quiet:
-        return np.flatnonzero(~(low > bound))
+        Added in any order, k numbers are off by at most (k - 1) u times the sum of their sizes, and a bit.
+        """
+        size, count = np.add.reduceat(np.abs(self.mid), start), np.diff(start, append=len(self))
+        return Balls(np.add.reduceat(self.mid, start), np.add.reduceat(self.rad, start) + 2 * _U * count * size)
 
 
 def exact_balls(values: Sequence[float] | Floats) -> Balls:

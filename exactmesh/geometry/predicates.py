@@ -3,7 +3,7 @@
 `doubled_area(a, b, c)` is (b - a) x (c - a): positive when a, b, c turn left, zero when they are collinear.
 """
 
-from gmpy2 import mpq, sign
+from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
 
@@ -15,7 +15,13 @@ def doubled_area(a: Point, b: Point, c: Point) -> mpq:
 
 def orientation(a: Point, b: Point, c: Point) -> int:
     """Return 1 when a, b, c turn left, -1 when they turn right, 0 when collinear or not all distinct."""
-    return int(sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)))
+    # Integers over common denominators, which are positive: rationals would take a gcd for every operation.
+    (ax, ay), (bx, by), (cx, cy) = a, b, c
+    x, x_den, y, y_den = ax.numerator, ax.denominator, ay.numerator, ay.denominator
+    bx_den, by_den, cx_den, cy_den = bx.denominator, by.denominator, cx.denominator, cy.denominator
+    left = (bx.numerator * x_den - x * bx_den) * (cy.numerator * y_den - y * cy_den) * (by_den * cx_den)
+    right = (by.numerator * y_den - y * by_den) * (cx.numerator * x_den - x * cx_den) * (bx_den * cy_den)
+    return int(left > right) - int(left < right)
 
 
 def is_ahead(a: Point, b: Point, c: Point) -> bool:

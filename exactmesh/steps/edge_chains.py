@@ -8,7 +8,6 @@ import numpy as np
 from exactmesh.geometry.balls import Ints
 from exactmesh.geometry.columns import Columns, Rows
 from exactmesh.geometry.point import Point
-from exactmesh.geometry.predicates import orientation
 from exactmesh.steps.records import Offset
 
 Chains = list[list[int]]
@@ -30,8 +29,9 @@ def edge_chains(offset: Offset, on_edge: Iterable[tuple[int, int]], points: Sequ
     inner: dict[int, list[int]] = {}
     for k, v in on_edge:
         a, b, p = points[first + k], points[first + following[k]], points[v]
-        # On a line, points are in lexicographic order.
-        if not (a < p < b or b < p < a) or orientation(a, b, p) != 0:
+        (ax, ay), (bx, by), (x, y) = a, b, p
+        # On a line, points are in lexicographic order. Heights are few, so that these rationals stay short.
+        if not (a < p < b or b < p < a) or (bx - ax) * (y - ay) != (by - ay) * (x - ax):
             return Misplaced(k, v)
         inner.setdefault(k, []).append(v)
     chains = [[first + k, first + end] for k, end in enumerate(following)]

@@ -134,7 +134,7 @@ class Frame:
         """Return a triangulation in the plane, counter-clockwise there."""
         o, d = self.origin, self.along
         nx, ny = (d.y, -d.x) if self.mirrored else (-d.y, d.x)
-        places = tuple(Point(o.x + p.x * d.x + p.y * nx, o.y + p.x * d.y + p.y * ny) for p in steiner)
+        places = tuple([Point(o.x + p.x * d.x + p.y * nx, o.y + p.x * d.y + p.y * ny) for p in steiner])
         return Piece(tuple(face[::-1] for face in faces) if self.mirrored else tuple(faces), places)
 
 

@@ -25,15 +25,17 @@ def triangulate_interior(offset: Offset, trapezoidation: Trapezoidation, points:
     """Return the triangulation of all trapezoids; `points` has the vertices of P, Q and the chord ends."""
     mesh = PatchBuilder(points, proper)
     of_q = range(offset.first, trapezoidation.first)
-    for trapezoid in trapezoidation.trapezoids:
-        _triangulate(Leftover(mesh, of_q, trapezoid))
+    for z in trapezoidation.trapezoids:
+        if z.top or z.bottom:
+            _triangulate(Leftover(mesh, of_q, z))
+        else:
+            mesh.add_quad((z.bl, z.br, z.tr, z.tl))
     return mesh.finished()
 
 
 def _triangulate(rest: Leftover) -> None:
-    if rest.side[TOP] or rest.side[BOTTOM]:
-        for flip in FLIPS:
-            rest.cut_wedge(flip)
+    for flip in FLIPS:
+        rest.cut_wedge(flip)
     if rest.side[TOP] or rest.side[BOTTOM]:
         _absorb(rest)
     else:

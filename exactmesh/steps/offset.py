@@ -12,8 +12,12 @@ Check   `offset_check.py`
 
 from collections.abc import Iterator
 
+import numpy as np
 from gmpy2 import mpq
 
+from exactmesh.geometry.balls import ball_of
+from exactmesh.geometry.columns import Columns, Vectors, indices
+from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point, cross, dot, minus
 from exactmesh.geometry.predicates import line_crossing
 from exactmesh.steps.constants import FLAT, LEVEL, WIDE
@@ -42,6 +46,7 @@ class _Build:
 
     def __init__(self, shape: Shape) -> None:
         self.shape = shape
+        self.extreme = _extremes(shape)
         self.x: list[mpq] = []
         self.level: list[int] = []
         self.corner: list[int] = []
@@ -63,7 +68,9 @@ class _Build:
         self.rings.append((start, len(self.x)))
 
     def finished(self) -> Offset:
-        points = tuple(Point(x, (j + _HALF) * LEVEL) for x, j in zip(self.x, self.level, strict=True))
+        # Vertices on one level share their ordinate.
+        height = {j: (j + _HALF) * LEVEL for j in set(self.level)}
+        points = tuple(Point(x, height[j]) for x, j in zip(self.x, self.level, strict=True))
         return Offset(len(self.shape.points), tuple(self.x), tuple(self.level), tuple(self.corner),
                       tuple(self.source), tuple(self.rings), points)
 
@@ -78,14 +85,11 @@ class _Build:
         points, origin = self.shape.points, self.shape.origin
         p = points[origin[outgoing]]
         before, after = points[origin[incoming]], points[origin[outgoing ^ 1]]
-        e0, e1 = minus(p, before), minus(after, p)
-        ext0, ext1 = _extreme(e0), _extreme(e1)
+        ext0, ext1 = self.extreme[incoming], self.extreme[outgoing]
         common = [k for k in ext0 if k in ext1]
-        turn = cross(e0, e1)
-        is_reflex = turn < 0 or (turn == 0 and dot(e0, e1) < 0)
         if common:
             yield from self._placed(p, common[:1])
-        elif is_reflex:
+        elif _is_reflex(minus(p, before), minus(after, p)):
             yield from self._placed(p, _clockwise_run(ext0, ext1))
         else:
             k0, k1 = _BODY_POINTS[ext0[0]], _BODY_POINTS[ext1[0]]
@@ -99,6 +103,33 @@ class _Build:
         for k in run:
             x, level = _BODY[k]
             yield p.x + x, whole + level
+
+
+def _is_reflex(e0: Point, e1: Point) -> bool:
+    """Return whether the angle inside is above 180 degrees, between edges without a common extreme vertex."""
+    turn = cross(e0, e1)
+    return bool(turn < 0 or (turn == 0 and dot(e0, e1) < 0))
+
+
+def _extremes(shape: Shape) -> list[list[int]]:
+    """Return `_extreme` of every half-edge."""
+    points, origin = Columns(shape.points), indices(shape.origin)
+    start, end = origin[::2], origin[1::2]
+    along = points.vectors(start, end)
+    values = [along.cross(Vectors(ball_of(*[k.x] * len(start)), ball_of(*[k.y] * len(start)))) for k in _BODY_POINTS]
+    low, high = np.stack([value.low() for value in values]), np.stack([value.high() for value in values])
+    best, every = np.argmax(low, axis=0), np.arange(len(start))
+    least = low[best, every]
+    high[best, every] = -np.inf
+    sure = least > high.max(axis=0)
+    note("extreme vertex", len(start), int((~sure).sum()))
+    found: list[list[int]] = []
+    for edge, (k, is_sure) in enumerate(zip(best.tolist(), sure.tolist(), strict=True)):
+        p, q = shape.points[shape.origin[2 * edge]], shape.points[shape.origin[2 * edge + 1]]
+        found.append([k] if is_sure else _extreme(minus(q, p)))
+        # The body is its own image by the point reflection at its centre.
+        found.append(sorted((k + _SIZE // 2) % _SIZE for k in found[-1]))
+    return found
 
 
 def _extreme(edge: Point) -> list[int]:

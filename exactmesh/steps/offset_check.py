@@ -5,11 +5,14 @@ I2 separation   a vertex of Q keeps 0.0599 from every edge of Q that does not co
 I3 nesting      Q is a set of simple rings on levels, one a walk, turned like it and inside its face.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from gmpy2 import mpq
 
 from exactmesh.errors import GeometryError
-from exactmesh.geometry.columns import Columns, indices
+from exactmesh.geometry.columns import Columns, Rows, indices
+from exactmesh.geometry.decisions import note
 from exactmesh.geometry.distance import distance_squared
 from exactmesh.geometry.point import Point, cross, minus
 from exactmesh.geometry.predicates import doubled_area
@@ -22,14 +25,15 @@ from exactmesh.steps.filtered_tally import see_worst
 from exactmesh.steps.records import Offset, Shape
 
 
-def check_thickness(shape: Shape, offset: Offset) -> tuple[Verdict, Verdict]:
+def check_thickness(shape: Shape, offset: Offset, columns: Columns | None = None) -> tuple[Verdict, Verdict]:
     """Return the verdicts on the least and on the greatest squared thickness (I1), one instance an end of an edge.
 
-    An end on the wrong side of its edge counts with a negative square.
+    An end on the wrong side of its edge counts with a negative square. `columns` begin with the vertices of P and Q;
+    to give them saves time, here and below.
     """
     least = Tally("distance to the edge >= g", ">=", LEVEL**2)
     greatest = Tally("distance to the edge <= 0.4701", "<=", THICKNESS_MAX**2)
-    points = Columns((*shape.points, *offset.points))
+    points = columns or Columns(shape.points + offset.points)
     origin, source = indices(shape.origin), indices(offset.source)
     k = np.flatnonzero(source >= 0)
     half_edge = np.repeat(source[k], 2)
@@ -63,7 +67,7 @@ def check_separation(offset: Offset) -> Verdict:
     return Verdict(len(offset.points), verdict.holds, verdict.worst, verdict.witness)
 
 
-def check_nesting(shape: Shape, offset: Offset) -> Verdict:
+def check_nesting(shape: Shape, offset: Offset, columns: Columns | None = None) -> Verdict:
     """Return whether Q is a set of simple rings on levels, one a walk, turned like it and inside its face (I3).
 
     P, Q and one spoke a ring, from a corner of the walk to its vertex of Q, are checked to be a planar graph; the
@@ -77,14 +81,18 @@ def check_nesting(shape: Shape, offset: Offset) -> Verdict:
     corners = {frozenset(walk): walk for walk in walks}
     alone = {-1 - v for isolated in shape.isolated for v in isolated}
     spokes: list[Edge] = []
+    points = columns or Columns(shape.points + offset.points)
+    rings = [range(offset.first + start, offset.first + end) for start, end in offset.rings]
+    ring_turns_left = _turn_left(points, rings)
+    walk_turns_left = dict(zip(map(frozenset, walks), _turn_left(
+        points, [[shape.origin[h] for h in walk] for walk in walks]), strict=True))
     for number, (start, end) in enumerate(offset.rings):
         around = list(dict.fromkeys(offset.corner[start:end]))
         walk = corners.pop(frozenset(around), None)
         if walk is None and (len(around) != 1 or around[0] not in alone):
             return failed(number + 1, "a ring belongs to one walk, once", ring=number)
         alone.discard(around[0])
-        turns_left = _doubled_area(offset.points[start:end]) > 0
-        if turns_left != (walk is not None and _doubled_area([shape.points[shape.origin[h]] for h in walk]) > 0):
+        if ring_turns_left[number] != (walk is not None and walk_turns_left[frozenset(walk)]):
             return failed(number + 1, "a ring turns like its walk", ring=number)
         spoke = _spoke(shape, offset, walk, start)
         if spoke is None:
@@ -131,5 +139,23 @@ def _is_within(start: Point, end: Point, direction: Point) -> bool:
     return after_start or before_end
 
 
-def _doubled_area(ring: "list[Point] | tuple[Point, ...]") -> mpq:
+def _turn_left(points: Columns, cycles: Sequence[Sequence[int]]) -> list[bool]:
+    """Return whether closed walks enclose a positive area, counted with its sign."""
+    if not all(cycles):
+        return [bool(cycle) and _turn_left(points, [cycle])[0] for cycle in cycles]
+    if not cycles:
+        return []
+    rows = Rows(cycles)
+    begin = rows.start[:-1]
+    last = np.arange(len(rows.flat)) - 1
+    last[begin] = rows.start[1:] - 1
+    first = np.repeat(rows.flat[begin], rows.size)
+    areas = points.doubled_areas(first, rows.flat[last], rows.flat).sums(begin)
+    signs = areas.signs().tolist()
+    note("ring", len(cycles), signs.count(0))
+    return [sign > 0 if sign else _doubled_area([points[v] for v in cycle]) > 0
+            for sign, cycle in zip(signs, cycles, strict=True)]
+
+
+def _doubled_area(ring: Sequence[Point]) -> mpq:
     return sum((doubled_area(ring[0], ring[i - 1], ring[i]) for i in range(2, len(ring))), mpq(0))

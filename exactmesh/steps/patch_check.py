@@ -31,22 +31,35 @@ def recorded_on_edges(chords: Trapezoidation, interior: Patch) -> list[tuple[int
     return [(edge, chords.first + i) for i, edge in enumerate(chords.edge)] + list(interior.on_edge)
 
 
+class PatchColumns:
+    """The faces of a patch in arrays, and which of them are triangles."""
+
+    def __init__(self, patch: Patch, points: Sequence[Point]) -> None:
+        self.points = columns_of(points)
+        self.faces = FaceColumns(patch.faces)
+        self.corners = Corners(self.points, self.faces)
+
+
 def chains_of(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point]) -> Chains | Misplaced:
     """Return the edges of Q cut at all vertices recorded on them."""
     return edge_chains(offset, recorded_on_edges(chords, interior), points)
 
 
 def check_interior_tiling(offset: Offset, chords: Trapezoidation, interior: Patch, points: Sequence[Point],
-                          chains: Chains | Misplaced | None = None) -> Verdict:
-    """Return whether the faces of the Interior tile the inside of Q; one instance a face. `chains` saves time."""
+                          chains: Chains | Misplaced | None = None, columns: PatchColumns | None = None) -> Verdict:
+    """Return whether the faces of the Interior tile the inside of Q; one instance a face.
+
+    To give `chains_of` and the `PatchColumns` of the Interior saves time, here and below.
+    """
     chains = chains or chains_of(offset, chords, interior, points)
     if isinstance(chains, Misplaced):
         return _misplaced(chains)
-    return _check_tiling(interior, chain_sides(chains), points)
+    return _check_tiling(interior, chain_sides(chains), columns or PatchColumns(interior, points))
 
 
 def check_tube_tiling(shape: Shape, offset: Offset, chords: Trapezoidation, interior: Patch, tube: Patch,
-                      points: Sequence[Point], chains: Chains | Misplaced | None = None) -> Verdict:
+                      points: Sequence[Point], chains: Chains | Misplaced | None = None,
+                      columns: PatchColumns | None = None) -> Verdict:
     """Return whether the faces of the Tube tile what lies between P and Q; one instance a face."""
     chains = chains or chains_of(offset, chords, interior, points)
     if isinstance(chains, Misplaced):
@@ -56,17 +69,18 @@ def check_tube_tiling(shape: Shape, offset: Offset, chords: Trapezoidation, inte
     p_sides = np.column_stack((origin[along], origin[along ^ 1]))
     # An edge with the Tube on both sides is in no boundary.
     outside = p_sides[~np.isin(along, along ^ 1)]
-    return _check_tiling(tube, np.concatenate((chain_sides(chains)[:, ::-1], outside)), points)
+    boundary = np.concatenate((chain_sides(chains)[:, ::-1], outside))
+    return _check_tiling(tube, boundary, columns or PatchColumns(tube, points))
 
 
-def check_feature(patch: Patch, points: Sequence[Point]) -> Verdict:
+def check_feature(patch: Patch, points: Sequence[Point], columns: PatchColumns | None = None) -> Verdict:
     """Return the verdict on the least squared feature size of the faces; one instance a face.
 
     A face that is no triangle counts as zero.
     """
     tally = Tally("feature size >= g/5", ">=", FEATURE_SQUARED)
-    columns, faces = columns_of(points), FaceColumns(patch.faces)
-    corners = Corners(columns, faces)
+    columns = columns or PatchColumns(patch, points)
+    faces, corners = columns.faces, columns.corners
 
     def exactly(face: int) -> mpq:
         cycle = patch.faces[face]
@@ -79,7 +93,7 @@ def check_feature(patch: Patch, points: Sequence[Point]) -> Verdict:
 
     least = FilteredTally(tally, "face feature")
     least.offer(corners.bad, exact_balls(np.zeros(len(corners.bad))))
-    for numbers, values in features_squared(columns, faces, corners):
+    for numbers, values in features_squared(columns.points, faces, corners):
         good = ~np.isin(numbers, corners.bad)
         least.offer(numbers[good], values[good])
     least.see(exactly, place, faces.count)
@@ -122,20 +136,20 @@ def _misplaced(chains: Misplaced) -> Verdict:
     return failed(0, "a foot lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
 
 
-def _check_tiling(patch: Patch, boundary: Ints, points: Sequence[Point]) -> Verdict:
+def _check_tiling(patch: Patch, boundary: Ints, columns: PatchColumns) -> Verdict:
     """Return whether the faces are triangles and the directed edges without a twin are those of `boundary`.
 
     Arrays decide that all is well; when it is not, the offender is looked for one by one.
     """
     count = len(patch.faces)
-    columns, faces = columns_of(points), FaceColumns(patch.faces)
-    for face in Corners(columns, faces).bad[:1].tolist():
+    points = columns.points
+    for face in columns.corners.bad[:1].tolist():
         cycle = patch.faces[face]
         reason = corners_of(points, cycle)
         if isinstance(reason, NotTriangle):
             return failed(face + 1, "faces are triangles", face=list(cycle), vertex=reason.vertex,
                           reason=reason.reason)
-    unpaired = unpaired_sides(faces, len(points))
+    unpaired = unpaired_sides(columns.faces, len(points))
     if unpaired is None:
         _, repeated = directed_edges(patch.faces)
         return failed(count, "faces do not overlap", edge=list(repeated[0][0]))

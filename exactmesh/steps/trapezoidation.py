@@ -81,6 +81,7 @@ class _Sweep:
 
     def _pass(self, level: int, row: list[int]) -> None:
         """Move the sweep line over one level, which carries the vertices `row` from left to right."""
+        self.height = self.offset.points[row[0]].y
         places = [self.filter.place(self.status, v, level) for v in row]
         touched = self._touched(row, places)
         ends: dict[int, int] = {}
@@ -143,7 +144,7 @@ class _Sweep:
                 return self.offset.first + v
         if e not in ends:
             ends[e] = self._first + len(self.chord_ends)
-            self.chord_ends.append(Point(self.filter.x_at(e, level), self.offset.height(level)))
+            self.chord_ends.append(Point(self.filter.x_at(e, level), self.height))
             self.chord_edges.append(e)
         return ends[e]
 

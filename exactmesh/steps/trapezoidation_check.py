@@ -25,17 +25,20 @@ from exactmesh.geometry.predicates import orientation
 from exactmesh.measure.verdict import Tally, Verdict, failed
 from exactmesh.planar.cycles import directed_edges
 from exactmesh.steps.constants import GAP, LEVEL, SEPARATION
-from exactmesh.steps.edge_chains import Misplaced, chain_sides, edge_chains
+from exactmesh.steps.edge_chains import Chains, Misplaced, chain_sides, edge_chains
 from exactmesh.steps.filtered_tally import see_worst
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
 
 
-def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point]) -> Verdict:
+def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point],
+                 chains: Chains | Misplaced | None = None) -> Verdict:
     """Return whether the trapezoids tile the inside of Q; one instance a trapezoid.
 
-    Arrays decide that all is well; when it is not, the offender is looked for one by one.
+    `chains` are the edges of Q cut at chord ends and perhaps at later vertices; to give them saves time. Arrays decide
+    that all is well; when it is not, the offender is looked for one by one.
     """
-    chains = edge_chains(offset, zip(chords.edge, _chord_ends(chords), strict=True), points)
+    if chains is None or isinstance(chains, Misplaced):
+        chains = edge_chains(offset, zip(chords.edge, _chord_ends(chords), strict=True), points)
     if isinstance(chains, Misplaced):
         return failed(0, "a chord end lies inside its edge", edge_of_q=chains.edge_of_q, vertex=chains.vertex)
     count = len(chords.trapezoids)
@@ -50,7 +53,8 @@ def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point]
     if unpaired is None:
         _, repeated = directed_edges(cycles)
         return failed(count, "trapezoids do not overlap", trapezoid=repeated[0][1], edge=list(repeated[0][0]))
-    sides = chain_sides(chains)
+    end = _chord_ends(chords).stop
+    sides = chain_sides([[v for v in chain if v < end] for chain in chains])
     odd = np.setxor1d(unpaired, sides[:, 0] * len(points) + sides[:, 1])
     if odd.size:
         edge = divmod(int(odd[0]), len(points))

@@ -10,7 +10,6 @@ Check   `patch_check.py`
 No vertex is put on P, on Q or on an edge between them, but for Theorem 3's meshes, which may split P.
 """
 
-from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
@@ -67,14 +66,15 @@ def _foot(mesh: PatchBuilder, p: int, q: int, v: int) -> int:
 
 def _chains(offset: Offset, on_edge: Sequence[tuple[int, int]], points: Sequence[Point]) -> Iterator[tuple[int, ...]]:
     """Yield, for each edge of Q, its vertices in order: its ends and those recorded on it."""
-    recorded: dict[int, list[int]] = defaultdict(list)
+    following_of = offset.successors()
+    recorded: list[list[int]] = [[] for _ in following_of]
     for edge, v in on_edge:
         recorded[edge].append(v)
-    for k, following in enumerate(offset.successors()):
+    for k, following in enumerate(following_of):
         start, end = offset.first + k, offset.first + following
-        along = minus(points[end], points[start])
-        places = sorted((dot(minus(points[v], points[start]), along), v) for v in recorded[k])
-        yield (start, *(v for _, v in places), end)
+        # On a line, points are in lexicographic order.
+        between = sorted(recorded[k], key=points.__getitem__, reverse=points[end] < points[start])
+        yield (start, *between, end)
 
 
 def _add_fan(mesh: PatchBuilder, shape: Shape, offset: Offset, k: int, chain: Sequence[int]) -> None:
