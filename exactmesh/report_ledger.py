@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 from exactmesh.claims.bounds import Row
 from exactmesh.claims.status import Entry, Judged
+from exactmesh.claims.unsettled import UNSETTLED
 from exactmesh.report import claim_json, table
 
 _WIDTH = 110
@@ -36,8 +37,8 @@ def entry_text(entry: Entry, evidence: Sequence[str] = ()) -> str:
         lines.append(f"bound       {claim.bound}")
     if entry.proved:
         lines.append(f"proved      for all inputs; re-checked now, as by: exactmesh prove {claim.id} --fast")
-    elif not entry.judged:
-        lines.append("status      open: no single input settles it, and no proof is tied to it yet")
+    elif entry.disproved:
+        lines.append(f"refuted     by proof; re-checked now, as by: exactmesh prove {claim.id} --fast")
     for judged in entry.judged:
         met = f"in {judged.instances} instances ({judged.construction} construction)"
         lines.append(f"status      {judged.status} {met}")
@@ -45,7 +46,8 @@ def entry_text(entry: Entry, evidence: Sequence[str] = ()) -> str:
             lines.append(f"witness     {judged.witness}, {_worst(entry, judged)}")
             lines.append(f"shown by    {_command(entry, judged)}")
     lines += [f"in store    {line}" for line in evidence]
-    for name, text in (("corrected   ", claim.corrected), ("repair      ", claim.repair)):
+    unsettled = UNSETTLED.get(claim.id, "") if entry.status in ("open", "holds") else ""
+    for name, text in (("unsettled   ", unsettled), ("corrected   ", claim.corrected), ("repair      ", claim.repair)):
         if text:
             lines += textwrap.wrap(text, _WIDTH, initial_indent=name, subsequent_indent=" " * len(name))
     return "\n".join(lines)
@@ -104,5 +106,6 @@ def _entry(entry: Entry) -> dict[str, object]:
                       "file": judged.witness, "command": _command(entry, judged),
                       **{key: value for key, value in claim_json(claim, judged.verdict).items()
                          if key in ("worst", "witness")}}} for judged in entry.judged],
+        "unsettled": UNSETTLED.get(claim.id, "") if entry.status in ("open", "holds") else "",
         "corrected": claim.corrected, "repair": claim.repair,
     }

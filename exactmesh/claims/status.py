@@ -1,8 +1,9 @@
 """What is known of each claim, computed from the witnesses: nothing here is typed by hand.
 
 Every claim is judged on every witness that comes with the package, in every construction it concerns, on meshes of the
-first kind it names. It is "refuted" when it fails on one, else "proved" when certificates that are re-checked now prove
-it for all inputs, "holds" when there were instances and none failed, "open" when there were none.
+first kind it names. It is "refuted" when it fails on one, or certificates that are re-checked now disprove it, else
+"proved" when such certificates prove it for all inputs, "holds" when there were instances and none failed, "open" when
+there were none.
 """
 
 from collections.abc import Callable, Iterable
@@ -17,7 +18,7 @@ from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.verdict import Verdict
 from exactmesh.planar.mesh import Kind
-from exactmesh.proofs.registry import is_proved
+from exactmesh.proofs.registry import is_proved, is_refuted
 
 Known = Literal["proved", "holds", "refuted", "open"]
 
@@ -40,11 +41,12 @@ class Entry:
     claim: Claim
     judged: tuple[Judged, ...]
     proved: bool = False
+    disproved: bool = False
 
     @property
     def status(self) -> Known:
         """The status of the sentence as the paper means it: of the published construction, where that is judged."""
-        known = self.judged[0].status if self.judged else "open"
+        known = "refuted" if self.disproved else self.judged[0].status if self.judged else "open"
         return "proved" if self.proved and known != "refuted" else known
 
     @property
@@ -69,7 +71,7 @@ def ledger(claims: Iterable[Claim] = CLAIMS, progress: Callable[[str], None] = l
 
     names = [name for _, name, _ in by_size]
     return [Entry(claim, tuple(_judged(claim, construction, names, run_of) for construction in claim.runs),
-                  is_proved(claim.id)) for claim in claims]
+                  is_proved(claim.id), is_refuted(claim.id)) for claim in claims]
 
 
 def _judged(claim: Claim, construction: ConstructionName, names: list[str],

@@ -74,4 +74,13 @@ def stands(theorem: Theorem) -> bool:
 
 def is_proved(claim: str) -> bool:
     """Return whether certificates prove the claim as the ledger has it."""
-    return any(theorem.shows == "claim" and theorem.claim == claim and stands(theorem) for theorem in theorems())
+    return _shown(claim, "claim")
+
+
+def is_refuted(claim: str) -> bool:
+    """Return whether certificates refute the claim as the ledger has it."""
+    return _shown(claim, "refuted")
+
+
+def _shown(claim: str, shows: str) -> bool:
+    return any(theorem.shows == shows and theorem.claim == claim and stands(theorem) for theorem in theorems())
