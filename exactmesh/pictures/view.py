@@ -19,6 +19,7 @@ MARGIN = 14.0
 _LEAST = 40.0
 # Coordinates this many times the window's size away from the plane's origin leave floats too few digits for axes.
 _FAR = 2.0**36
+_DIGITS = 25
 # How deep a point is inside each side of a box, given by its lower left and upper right corner.
 _Box = tuple[Point, Point]
 _SIDES: tuple[Callable[[Point, _Box], mpq], ...] = (
@@ -120,8 +121,8 @@ class View:
             is_far, unit = True, 1.0
         if is_far:
             return Panel(step, title, self.width, self.height, tuple(layers), tuple(keys), 0.0, self.height, 1.0,
-                         (f"(x - {decimal_text(self.low.x, 6)}) / {decimal_text(1 / self.scale, 6)}",
-                          f"(y - {decimal_text(self.low.y, 6)}) / {decimal_text(1 / self.scale, 6)}"))
+                         (f"(x - {decimal_text(self.low.x, _DIGITS)}) / {decimal_text(1 / self.scale, 6)}",
+                          f"(y - {decimal_text(self.low.y, _DIGITS)}) / {decimal_text(1 / self.scale, 6)}"))
         return Panel(step, title, self.width, self.height, tuple(layers), tuple(keys), left, top, unit)
 
     def _is_near(self, places: Iterable[Place]) -> bool:

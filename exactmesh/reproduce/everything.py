@@ -24,6 +24,9 @@ from exactmesh.reproduce.figure_kit import Figure
 from exactmesh.reproduce.figures import commands_of, figures, sha256_of
 from exactmesh.reproduce.growth import laws
 from exactmesh.reproduce.page import Picture, Section, page
+from exactmesh.reproduce.peer_inputs import inputs
+from exactmesh.reproduce.peers import peer_rows, rounded
+from exactmesh.reproduce.peers_text import peers_text
 from exactmesh.reproduce.spread import spread_inputs, spread_rows, spread_svg, spread_text
 from exactmesh.reproduce.table1 import table1_rows
 from exactmesh.reproduce.text import table1_svg, table1_text
@@ -50,6 +53,7 @@ def sections(short: bool, progress: Progress) -> Iterator[Section]:
     yield _ledger(progress)
     yield _proofs(progress)
     yield _dissection(short, progress)
+    yield _peers(short, progress)
 
 
 def report_page(found: Iterable[Section]) -> str:
@@ -74,21 +78,21 @@ def versions() -> dict[str, str]:
 
 
 def _table1(short: bool, progress: Progress) -> Section:
-    rows = list(table1_rows(short=short, progress=progress))
+    rows = list(table1_rows(short=short, progress=progress, families=FAMILIES))
     found = laws(rows)
-    inputs = {f"{family.name}, {family.variable} = {size}": sha256_of(family.make(size))
+    hashes = {f"{family.name}, {family.variable} = {size}": sha256_of(family.make(size))
               for family in FAMILIES for size in family.sizes(short)}
     return Section("table1", "Table 1: degradations by kind of triangulation",
                    (f"exactmesh reproduce table1{' --short' if short else ''} -o DIR",), table1_text(rows, found),
-                   (Picture(table1_svg(rows), "degradations by kind of mesh", is_plain=False),), inputs,
+                   (Picture(table1_svg(rows), "degradations by kind of mesh", is_plain=False),), hashes,
                    not any(law.failures for law in found))
 
 
 def _spread(progress: Progress) -> Section:
     rows = list(spread_rows(progress))
-    inputs = {pslg.name: sha256_of(pslg) for pslg in spread_inputs()}
+    hashes = {pslg.name: sha256_of(pslg) for pslg in spread_inputs()}
     return Section("spread", "Degradation and spread", ("exactmesh reproduce spread",), spread_text(rows), (
-        Picture(spread_svg(rows), "degradation and length", is_plain=False),), inputs,
+        Picture(spread_svg(rows), "degradation and length", is_plain=False),), hashes,
                    about="The published construction degrades with the length of a room; the repaired one does not.")
 
 
@@ -101,15 +105,15 @@ def _figures(progress: Progress) -> Iterator[Section]:
 
 
 def _figure(figure: Figure) -> Section:
-    inputs = {f"inputs/{name}.json": sha256_of(pslg) for name, pslg in figure.inputs.items()}
+    hashes = {f"inputs/{name}.json": sha256_of(pslg) for name, pslg in figure.inputs.items()}
     return Section(figure.name, figure.title, commands_of(figure), "",
-                   (Picture(svg_text(figure.scene), figure.title),), inputs, is_part=True)
+                   (Picture(svg_text(figure.scene), figure.title),), hashes, is_part=True)
 
 
 def _ledger(progress: Progress) -> Section:
-    inputs = {name: read_pslg(str(WITNESSES.path(name))).sha256 for name in WITNESSES.names()}
+    hashes = {name: read_pslg(str(WITNESSES.path(name))).sha256 for name in WITNESSES.names()}
     return Section("claims", "The ledger of claims", ("exactmesh claims",), ledger_text(ledger(progress=progress)), (),
-                   inputs, about="Every claim of the paper and of the repaired construction, with what is known of it: "
+                   hashes, about="Every claim of the paper and of the repaired construction, with what is known of it: "
                    "judged afresh on every witness that comes along.")
 
 
@@ -118,8 +122,8 @@ def _proofs(progress: Progress) -> Section:
     rows: list[tuple[str, ...]] = [("claim", "certificates", "stands")]
     rows += [(found.theorem.claim, f"{sum(found.proved.values())}/{len(found.theorem.problems)}",
               "yes" if found.stands else "NO") for found in summaries(results)]
-    inputs = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in registry.files()}
-    return Section("proofs", "Proofs for all inputs", ("exactmesh prove --fast",), table(rows, right=(1,)), (), inputs,
+    hashes = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in registry.files()}
+    return Section("proofs", "Proofs for all inputs", ("exactmesh prove --fast",), table(rows, right=(1,)), (), hashes,
                    not contradiction(results), "Certificates, re-checked by rational arithmetic alone.")
 
 
@@ -127,7 +131,16 @@ def _dissection(short: bool, progress: Progress) -> Section:
     lengths = _SHORT_LENGTHS if short else LENGTHS
     rows = list(rectangle_rows(lengths, progress))
     shown = dissect(rectangle_to_square(_SHOWN_LENGTH), scale=True)
-    inputs = {pslg.name: sha256_of(pslg) for length in lengths for pslg in rectangle_to_square(length)}
+    hashes = {pslg.name: sha256_of(pslg) for length in lengths for pslg in rectangle_to_square(length)}
     return Section("dissection", "Section 5: the square to the r x 1 rectangle", ("exactmesh reproduce dissection",),
                    rectangles_text(rows), (Picture(svg_from_dissection(shown.dissection), _SHOWN, is_plain=False),),
-                   inputs, all(row.valid for row in rows))
+                   hashes, all(row.valid for row in rows))
+
+
+def _peers(short: bool, progress: Progress) -> Section:
+    rows = list(peer_rows(short, progress, inputs(short)))
+    hashes = {f"{given.group}, {given.name}": sha256_of(rounded(given.make())) for given in inputs(short)}
+    return Section("peers", "Other meshers on the same inputs",
+                   (f"exactmesh reproduce peers{' --short' if short else ''} -o DIR",), peers_text(rows), (), hashes,
+                   about="Of those that are installed. Their meshes are measured exactly; seconds differ from one time "
+                   "to the next.")
