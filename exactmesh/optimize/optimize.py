@@ -1,8 +1,9 @@
 """Optimise a mesh of a domain: the least degradation first, then few Steiner vertices, no vertex on the input's edges.
 
-The first candidate is the constrained Delaunay triangulation, improved. Where that is poor, the proper mesh of the
-repaired construction is improved as well; where the construction's mesh may be better as it is, it is compared. So the
-result is never worse than any of them. The finished mesh is verified from its definition.
+The first candidate is the constrained Delaunay triangulation, improved. Where the mesh of the repaired construction may
+be better, it is made and compared, so the result is never worse than either. Where the best is still poor and there is
+time, or the construction's is the best, its proper mesh is improved as well. The finished mesh is verified from its
+definition.
 """
 
 from collections.abc import Callable, Iterable
@@ -33,8 +34,8 @@ OPTIMIZED_KINDS: tuple[Kind, ...] = ("nonproper", "proper")
 # Every vertex of the offset polygon is this near to an edge of the input, in units of at most the mfs; so no mesh of
 # the repaired construction keeps more, but for bare triangles, which every candidate has.
 _CONSTRUCTION_AT_MOST = THICKNESS_MAX
-# From this degradation on the construction's proper mesh is improved as well: long combs end up better that way.
-_POOR = mpq(4)
+# A degradation above this is poor: some long combs end up better from the construction's proper mesh.
+_POOR = mpq(3)
 # After thinning out there may be room for more: improve and thin out at most so often.
 _ROUNDS = 3
 _UNIT_BITS = 24
@@ -101,6 +102,7 @@ class _Work:
         self.mfs_squared = nearest.squared / self.unit**2
         self.goal = self.mfs_squared / target**2
         count = len(subdivision.pslg.vertices)
+        self.has_time = time_limit is not None
         end = inf if time_limit is None else monotonic() + time_limit
         self.effort = Effort(300 + 10 * count if time_limit is None else inf,
                              100 + count if time_limit is None else inf, lambda: monotonic() > end)
@@ -115,13 +117,12 @@ class _Work:
         self.best = self.faces(pslg.vertices, first.triangles)
         self.reason = self.improved(self.start, self.best)
         try:
-            poor = self.is_below(1 / _POOR)
-            if self.reason != "interrupted" and poor:
-                self.improve_construction()
-            # An improved proper mesh is at least as good as it was.
-            done = poor and self.kind == "proper"
-            if self.reason != "interrupted" and not done and self.is_below(_CONSTRUCTION_AT_MOST):
+            # The effort is spent; what is left to do is the guarantee, and more where there is time.
+            if self.reason != "interrupted" and self.is_below(_CONSTRUCTION_AT_MOST):
                 self.compare_construction()
+            if self.reason != "interrupted" and self.is_below(1 / _POOR) and (
+                    self.has_time or self.start == "repaired construction"):
+                self.improve_construction()
         except KeyboardInterrupt:
             self.reason = "interrupted"
         mesh = self.mesh(self.best)
@@ -137,7 +138,7 @@ class _Work:
         """Improve the proper mesh of the construction, too: T-vertices leave the moves little room."""
         seed = self.constructed("proper")
         if seed is not None:
-            self.consider(seed, self.improved("repaired construction", seed))
+            self.consider(seed, self.improved("repaired construction, proper", seed))
 
     def compare_construction(self) -> None:
         """See whether the mesh of the construction is better as it is."""

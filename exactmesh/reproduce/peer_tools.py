@@ -174,6 +174,7 @@ class Workshop:
             self._process = context.Process(target=_work, args=(theirs, self._peers), daemon=True)
             self._process.start()
             theirs.close()
+            self._link.recv()  # it is ready: starting it is not the mesher's time
         self._link.send((number, outline))
         try:
             if self._link.poll(self._seconds):
@@ -187,6 +188,7 @@ class Workshop:
 
 
 def _work(link: "Connection[Any, Any]", peers: tuple[Tool, ...]) -> None:
+    link.send("ready")
     while True:
         try:
             number, outline = link.recv()

@@ -174,12 +174,22 @@ def test_ordinary_inputs_have_a_small_median() -> None:
     assert found[len(found) * 19 // 20] <= 9
 
 
-def test_where_t_vertices_are_a_better_start_the_construction_is_improved() -> None:
-    made = optimize(domain_of(families.comb(32)))
+@pytest.mark.parametrize("time_limit", [None, 3600])
+def test_with_time_the_construction_is_improved_as_well(time_limit: float | None) -> None:
+    made = optimize(domain_of(families.comb(20)), target=mpq(19, 10), time_limit=time_limit)
     names = [candidate.name for candidate in made.candidates]
-    assert "repaired construction, optimised" in names
+    assert ("repaired construction, proper, optimised" in names) == (time_limit is not None)
     best = min(candidate.degradation_squared for candidate in made.candidates)
     assert made.verification.degradation_squared == best
+
+
+def test_a_construction_that_is_the_best_is_improved(monkeypatch: pytest.MonkeyPatch) -> None:
+    # As if the constrained Delaunay triangulation, of degradation 26, could not be improved.
+    improved = module._Work.improved
+    monkeypatch.setattr(module._Work, "improved", lambda self, name, faces: (
+        "no move helps" if name == "constrained Delaunay" else improved(self, name, faces)))
+    made = optimize(domain_of(families.comb(50)), target=8)
+    assert made.start == "repaired construction" and made.mesh.kind == "proper" and made.reason == "target"
 
 
 def test_fewer_steiner_vertices_come_second() -> None:
