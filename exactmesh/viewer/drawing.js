@@ -88,6 +88,15 @@ class Lattice {
     this.spacing = spacing;
   }
 
+  /** A lattice of about ten points across a drawing in a frame; its spacing is 1, 2 or 5 times a power of ten. */
+  static across(frame) {
+    const tenth = Math.log10(new Rational(frame.scale.d, frame.scale.n).toNumber() / 5), power = Math.floor(tenth);
+    const factor = [1, 2, 5, 10].reduce((a, b) => (Math.abs(Math.log10(b) + power - tenth)
+      < Math.abs(Math.log10(a) + power - tenth) ? b : a));
+    const ten = 10n ** BigInt(Math.abs(power));
+    return new Lattice((power < 0 ? new Rational(BigInt(factor), ten) : new Rational(BigInt(factor) * ten)).reduced());
+  }
+
   /** The lattice point nearest to a pair of rationals, as texts. */
   nearest(point) {
     return point.map(value => this.#multiple(value.steps(this.spacing)));

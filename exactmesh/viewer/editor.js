@@ -13,7 +13,8 @@ class Editor {
     this.drawing = new Drawing(settings.pslg);
     const { vertices } = settings.pslg;
     this.frame = Frame.around(vertices.map(p => p[0]), vertices.map(p => p[1]));
-    this.lattice = new Lattice(Rational.parse(this.$("spacing").value));
+    this.lattice = Lattice.across(this.frame);
+    this.$("spacing").value = this.lattice.spacing.toString();
     this.view = new View(document.querySelector(".stage"));
     this.view.margin = 0.15;
     this.mode = "move";

@@ -123,10 +123,10 @@ class Painter {
 
   #fillFaces(scene, camera, stage) {
     const { ratio } = this, { scale, width, height } = camera;
-    const kind = stageFaces(scene, stage), xs = new Float64Array(1024), ys = new Float64Array(1024);
+    const kind = stageFaces(scene, stage), xs = new Float64Array(scene.longest), ys = new Float64Array(scene.longest);
     scene.faceTree.search(...camera.window(1), f => {
       if (!kind[f]) return;
-      const from = scene.start[f], count = Math.min(scene.start[f + 1] - from, xs.length);
+      const from = scene.start[f], count = scene.start[f + 1] - from;
       for (let i = 0; i < count; i++) {
         const v = scene.vertex[from + i];
         xs[i] = ((scene.x[v] - camera.x) * scale + width / 2) * ratio;

@@ -59,10 +59,6 @@ class Describer {
     this.data = scene.data;
   }
 
-  title(item) {
-    return item.vertex !== undefined ? this.#vertexTitle(item.vertex) : `face ${item.face}`;
-  }
-
   /** One line for the pointer. */
   line(item) {
     if (item.vertex !== undefined) {
@@ -117,15 +113,13 @@ function itemAt(view, px, py) {
 function drawMarks(view, { sizes = [], marks = null, chosen = null, hovered = null }) {
   const { painter, camera, scene } = view;
   if (!scene) return;
-  const { colour } = painter;
-  if (painter.show.witness) {
-    for (const size of sizes) {
-      const shade = size.of === "mesh" ? colour.witness : colour["input-witness"], [a, b] = size.feature;
-      if (a !== b) painter.segment(camera, scene.x[a], scene.y[a], scene.x[b], scene.y[b], shade, 1.5, [5, 4]);
-      const ends = scene.shortest(size);
-      painter.segment(camera, ...ends, shade, 4);
-      painter.dot(camera, ends[0], ends[1], shade, 5);
-    }
+  const { colour } = painter, shown = painter.show.witness ? sizes : [];
+  const shade = size => colour[size.of === "mesh" ? "witness" : "input-witness"];
+  for (const size of shown) {
+    const ends = scene.shortest(size), [a, b] = size.feature;
+    if (a !== b) painter.segment(camera, scene.x[a], scene.y[a], scene.x[b], scene.y[b], shade(size), 1.5, [5, 4]);
+    painter.segment(camera, ...ends, shade(size), 4);
+    painter.dot(camera, ends[0], ends[1], shade(size), 5);
   }
   for (const cycle of marks?.cycles ?? []) painter.cycle(scene, camera, cycle, colour.mark, 3);
   for (const [u, v] of marks?.edges ?? []) {
@@ -137,11 +131,9 @@ function drawMarks(view, { sizes = [], marks = null, chosen = null, hovered = nu
     if (item?.face !== undefined) painter.cycle(scene, camera, scene.face(item.face), colour.hover, width, 0.15);
     if (item?.vertex !== undefined) painter.dot(camera, scene.x[item.vertex], scene.y[item.vertex], colour.hover, 6, true);
   }
-  if (painter.show.witness) {
-    for (const size of sizes) {
-      const ends = scene.shortest(size), shade = size.of === "mesh" ? colour.witness : colour["input-witness"];
-      painter.label(camera, ends[0], ends[1], `mfs of the ${size.of} ≈ ${size.decimal}`, shade, size.of === "mesh");
-    }
+  for (const size of shown) {
+    const [x, y] = scene.shortest(size), below = size.of === "mesh";
+    painter.label(camera, x, y, `mfs of the ${size.of} ≈ ${size.decimal}`, shade(size), below);
   }
 }
 

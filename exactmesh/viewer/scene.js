@@ -92,6 +92,7 @@ class Scene {
     this.start = new Uint32Array(faces.length + 1);
     faces.forEach((face, f) => { this.start[f + 1] = this.start[f] + face.length; });
     this.vertex = new Uint32Array(this.start[faces.length]);
+    this.longest = faces.reduce((most, face) => Math.max(most, face.length), 0);
     faces.forEach((face, f) => this.vertex.set(face, this.start[f]));
     const keys = new Float64Array(this.vertex.length);
     for (let f = 0; f < faces.length; f++) {

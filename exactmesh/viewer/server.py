@@ -8,7 +8,9 @@ asked for is a header that other sites may not send. Bodies are limited, silent 
 import hmac
 import json
 import secrets
-from collections.abc import Callable, Iterable, Mapping
+import sys
+from collections.abc import Callable, Generator, Mapping
+from contextlib import closing
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from urllib.parse import parse_qs, urlsplit
@@ -53,6 +55,11 @@ class Editor(ThreadingHTTPServer):
     def url(self) -> str:
         """The address of the page, with the token."""
         return f"http://{ADDRESS}:{self.server_port}/?token={self.token}"
+
+    def handle_error(self, request: object, client_address: object) -> None:
+        """Say nothing of connections that end early; print what is a fault of ours."""
+        if not isinstance(sys.exception(), OSError):
+            super().handle_error(request, client_address)  # type: ignore[arg-type]
 
     def server_close(self) -> None:
         """Close the socket and end the workers."""
@@ -112,12 +119,13 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self._stream(parts)
 
-    def _stream(self, parts: Iterable[Mapping[str, object]]) -> None:
+    def _stream(self, parts: Generator[Mapping[str, object], None, None]) -> None:
         try:
-            for part in parts:
-                line = json.dumps(part, separators=(",", ":")).encode() + b"\n"
-                self.wfile.write(b"%x\r\n%b\r\n" % (len(line), line))
-                self.wfile.flush()
+            with closing(parts):  # also when nobody waits for the rest
+                for part in parts:
+                    line = json.dumps(part, separators=(",", ":")).encode() + b"\n"
+                    self.wfile.write(b"%x\r\n%b\r\n" % (len(line), line))
+                    self.wfile.flush()
             self.wfile.write(b"0\r\n\r\n")
         except OSError:  # the page has gone, or asks for something newer
             self.close_connection = True

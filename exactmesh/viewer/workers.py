@@ -7,26 +7,28 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Mapping
 
 Part = Mapping[str, object]
 _START_SECONDS = 60.0
+_STANDING_BY = 2
 
 
 class Workers:
     """Answers one request at a time, each by a deadline; a newer request stops the older one.
 
-    A second process stands by, because starting one takes longer than most answers. `close` ends both.
+    After the first answer a second process stands by, because starting one takes longer than most answers. `close` ends
+    both.
     """
 
     def __init__(self, seconds: float) -> None:
         self.seconds = seconds
         self._lock = threading.Lock()
         self._busy: _Worker | None = None
-        self._idle = [_Worker(), _Worker()]
+        self._idle = [_Worker()]
         self._closed = False
 
-    def answer(self, request: str) -> Iterator[Part]:
+    def answer(self, request: str) -> Generator[Part, None, None]:
         """Yield the parts of the answer to a line for a worker.
 
         The last part is "end", "timeout", "superseded" or "stopped".
@@ -63,19 +65,20 @@ class Workers:
         with self._lock:
             if self._busy is not None:
                 self._busy.stop()
-                self._idle.append(_Worker())
-            self._busy = self._idle.pop(0)
+            self._busy = self._idle.pop(0) if self._idle else _Worker()
             return self._busy
 
     def _give_back(self, worker: "_Worker", finished: bool) -> bool:
-        """Keep a worker that has finished, replace another one; return whether a newer request did so before."""
+        """Keep a worker that has finished, stop another one; return whether a newer request did so before."""
         with self._lock:
             if self._busy is not worker or self._closed:
                 return True
             self._busy = None
-            if not finished:
+            if finished:
+                self._idle.append(worker)
+            else:
                 worker.stop()
-            self._idle.append(worker if finished else _Worker())
+            self._idle += [_Worker() for _ in range(_STANDING_BY - len(self._idle))]
             return False
 
 

@@ -54,8 +54,8 @@ class Opener:
 
     def __call__(self, address: str, scheme: str = "light", **settings: Any) -> Any:
         size = {"width": 1200, "height": 800}
-        context = self.browser.new_context(viewport=size, color_scheme=scheme, reduced_motion="reduce",
-                                           **settings)
+        settings = {"viewport": size, "color_scheme": scheme, "reduced_motion": "reduce", **settings}
+        context = self.browser.new_context(**settings)
         self.contexts.append(context)
         context.set_default_timeout(15_000)
         page = context.new_page()

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from conftest import Opener
 from editing import Served, editor
+from gmpy2 import mpq
 from pages import camera, colour_of, differ, near, picture
 
 from exactmesh.claims.run import Run
@@ -260,6 +261,18 @@ def test_a_polygon_that_takes_too_long_is_given_up_in_the_page(open_page: Opener
         hand.button("clear")
         hand.keys("m")
         hand.settled("Draw a polygon.")
+
+
+def test_the_lattice_suits_the_file(open_page: Opener, tmp_path: Path) -> None:
+    path = tmp_path / "small.json"
+    path.write_text(json_from_pslg(polygon([("7/3", 5), ("2.34", 5), ("2.335", "5.004")])), encoding="utf-8")
+    with editor(str(path)) as small:
+        hand = Hand(open_page(small.url))
+        assert hand.page.locator("#spacing").input_value() == "1/2000"
+        assert hand.pslg().vertices[0].x == mpq(7, 3)  # exact until it is moved
+        hand.keys("n", "ArrowLeft")
+        hand.settled()
+        assert hand.pslg().vertices[0].x == mpq(4666, 2000)
 
 
 def test_every_control_of_the_editor_has_a_name_and_shows_the_focus(hand: Hand) -> None:

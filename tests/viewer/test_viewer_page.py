@@ -183,6 +183,36 @@ def test_a_claim_flies_to_its_witness(open_page: Opener, l_page: str) -> None:
     assert seen > 10
 
 
+def test_the_flight_ends_where_it_should(open_page: Opener, l_page: str) -> None:
+    page = open_page(l_page, reduced_motion="no-preference")
+    page.evaluate("viewer.view.cost = 1000")  # a drawing this slow is moved on the way, not drawn again
+    start = camera(page)
+    page.locator('[data-claim="repaired.tube-feature"]').click()
+    for _ in range(100):
+        if page.evaluate("viewer.view.flight === null && !viewer.view.stale"):
+            break
+        page.wait_for_timeout(20)
+    marks = page.evaluate("viewer.marks")
+    pose = page.evaluate("m => viewer.view.camera.showing(marksBox(viewer.scene, m), 0.22)", marks)
+    assert camera(page) == pytest.approx(pose) != start
+    x, y = place_of(page, marks["cycles"][0][0])
+    assert page.evaluate("viewer.view.cost") < 1000 and near(picture(page).getpixel((round(x), round(y))),
+                                                             colour_of(page, "mark"), 90)
+
+
+def test_all_stays_in_view_until_the_camera_is_moved(open_page: Opener, l_page: str) -> None:
+    page = open_page(l_page)
+    before = camera(page)
+    page.set_viewport_size({"width": 900, "height": 600})
+    page.wait_for_timeout(100)
+    fitted = camera(page)
+    assert fitted["scale"] < before["scale"]
+    page.locator("#zoom-in").click()
+    page.set_viewport_size({"width": 1200, "height": 800})
+    page.wait_for_timeout(100)
+    assert camera(page)["scale"] == pytest.approx(1.3 * fitted["scale"])
+
+
 def test_failing_claims_come_first_and_can_be_alone(open_page: Opener, tmp_path: Path) -> None:
     page = open_page(run_page(tmp_path, construction="paper"))
     failing = [claim["id"] for claim in page.evaluate("viewer.data.claims") if not claim["holds"]]
@@ -305,18 +335,19 @@ def _is_flat(mesh: Mesh, cycle: tuple[int, ...], v: int) -> bool:
     return bool((bx - ax) * (cy - by) == (by - ay) * (cx - bx))
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_each_face_has_the_shade_of_its_exact_feature_size(open_page: Opener, l_page: str, scheme: str) -> None:
-    page = open_page(l_page, scheme)
+@pytest.mark.parametrize("scheme, ratio", [("light", 1), ("dark", 2)])
+def test_each_face_has_the_shade_of_its_exact_feature_size(open_page: Opener, l_page: str, scheme: str, ratio: int
+                                                           ) -> None:
+    page = open_page(l_page, scheme, device_scale_factor=ratio)
     for name in ("edges", "input", "steiner", "t"):
         page.locator(f'#show input[value="{name}"]').uncheck()
     run = Run(L_SHAPE)
     seen = picture(page, "ground")
     places = [place_of(page, v) for v in range(len(run.mesh.vertices))]
     for cycle in run.mesh.faces:
-        ratio = run.mfs.squared / face_witness(run.mesh.vertices, cycle).squared
-        shade = next(k for k in range(7) if k == 6 or ratio <= 4**k)
-        x, y = (round(sum(places[v][axis] for v in cycle) / len(cycle) - 0.5) for axis in (0, 1))
+        loss = run.mfs.squared / face_witness(run.mesh.vertices, cycle).squared
+        shade = next(k for k in range(7) if k == 6 or loss <= 4**k)
+        x, y = (round(ratio * sum(places[v][axis] for v in cycle) / len(cycle) - 0.5) for axis in (0, 1))
         assert seen.getpixel((x, y))[:3] == colour_of(page, f"shade-{shade}")
     corner = seen.getpixel((seen.width - 3, 3))
     assert corner[:3] == colour_of(page, "paper")
@@ -408,3 +439,38 @@ def test_rationals_of_the_page_are_exact(open_page: Opener, l_page: str) -> None
     floats = [0.1, -3.75, 2.0**-40, 12345678.9]
     assert [float(Fraction(text)) for text in page.evaluate(
         "all => all.map(value => Rational.fromNumber(value).toString())", floats)] == floats
+
+
+def test_what_is_found_is_what_is_there(open_page: Opener, tmp_path: Path) -> None:
+    mesh = grid_mesh(12)
+    subject = Subject("grid", mesh, None, None, None, None, (), Places(mesh), whole(None, mesh))
+    page = open_page(page_file(tmp_path, document_of(subject)))
+    wrong = page.evaluate("""() => {
+        const { scene } = viewer, { x, y } = scene, wrong = [];
+        let seed = 7;
+        const random = () => (seed = seed * 16807 % 2147483647) / 2147483647 * 2.4 - 1.2;
+        const boxes = Array.from({ length: 500 }, () => {
+            const a = random(), b = random(), c = random(), d = random();
+            return [Math.min(a, b), Math.min(c, d), Math.max(a, b), Math.max(c, d)];
+        });
+        const tree = new BoxTree(boxes.length, (i, box) => box.set(boxes[i]));
+        for (let round = 0; round < 200; round++) {
+            const [px, py, reach] = [random(), random(), Math.abs(random()) / 4], found = new Set();
+            tree.search(px, py, px + reach, py + reach, i => found.add(i));
+            boxes.forEach(([x0, y0, x1, y1], i) => {
+                const meets = x0 <= px + reach && x1 >= px && y0 <= py + reach && y1 >= py;
+                if (meets !== found.has(i)) wrong.push(["box", round, i]);
+            });
+            let nearest = -1, least = reach;
+            for (let v = 0; v < scene.count; v++) {
+                const distance = Math.hypot(x[v] - px, y[v] - py);
+                if (distance < least) [nearest, least] = [v, distance];
+            }
+            if (scene.nearestVertex(px, py, reach) !== nearest) wrong.push(["vertex", round]);
+            const turn = (a, b) => (x[b] - x[a]) * (py - y[a]) - (y[b] - y[a]) * (px - x[a]) > 0;
+            const inside = scene.data.faces.findIndex(([a, b, c]) => turn(a, b) && turn(b, c) && turn(c, a));
+            if (scene.faceAt(px, py) !== inside) wrong.push(["face", round]);
+        }
+        return wrong;
+    }""")
+    assert wrong == []
