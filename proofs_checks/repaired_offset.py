@@ -66,8 +66,6 @@ THEOREMS = [
             "attained by a horizontal e and a snap of half a level"),
     Theorem("repaired.offset-reach", "claim", "e' stays within 0.4701 of the line of e", names(REACH), FRAME,
             "rho = 0.470022"),
-    Theorem("repaired.offset-separation", "part", "offsets of features at distance 1 are 1 - 2 rho >= 0.0599 apart",
-            names(SEPARATE[:2]), "Q1 and Q2: that offsets stay within K2 of disjoint features is not covered."),
     Theorem("repaired.chord-gap", "part", "T-vertices keep 0.15 from vertices of other corners on their level",
             names(SEPARATE[2:]), "The flattened short edge is not covered.", "0.181 is proved, 0.15 used"),
 ]
