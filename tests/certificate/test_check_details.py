@@ -181,6 +181,7 @@ def sided(*places: tuple[int, int]) -> list[check.Point]:
     (sided((0, 0), (2, 0), (1, 1), (0, 2), (0, 1)), [0, 1, 3]),
     (sided((0, 0), (1, 0), (1, 1), (0, 1)), []),  # four corners
     (sided((0, 0), (1, 0), (1, 0), (0, 1)), []),  # stands still
+    (sided((0, 0), (1, 0), (1, 0), (2, 0), (0, 2)), []),
     (sided((0, 0), (2, 0), (1, 0), (0, 2)), []),  # turns back
     (sided((0, 0), (2, 0), (3, 0), (1, 0), (0, 2)), []),
     (sided((0, 0), (4, 0), (1, 1), (0, 4)), []),  # turns right
@@ -416,10 +417,10 @@ def test_a_hole_point_is_in_its_closed_face_but_off_the_input() -> None:
 # --- whole triples ---
 
 
-def moved(t: Triple, shift: Fraction, factor: Fraction) -> None:
-    """Move all of a triple to the right by `shift`, then scale it."""
+def moved(t: Triple, shift: Fraction, factor: Fraction, up: Fraction = Fraction(0)) -> None:
+    """Move all of a triple to the right by `shift` and up, then scale it."""
     for rows in (t.pslg["vertices"], t.mesh["vertices"], t.certificate["vertices"], t.pslg.get("holes", [])):
-        rows[:] = [[str((Fraction(x) + shift) * factor), str(Fraction(y) * factor)] for x, y in rows]
+        rows[:] = [[str((Fraction(x) + shift) * factor), str((Fraction(y) + up) * factor)] for x, y in rows]
     for key, power in (("mfs_squared_at_least", 2), ("input_mfs_squared_at_most", 2), ("mfs_at_least", 1)):
         t.certificate[key] = str(Fraction(t.certificate[key]) * factor**power)
 
@@ -432,6 +433,15 @@ def test_where_a_triple_lies_and_how_large_it_is_does_not_matter(name: str) -> N
         t = copy.deepcopy(base(name))
         moved(t, shift, factor)
         assert by_python(t.files())[0] == 0
+
+
+def test_a_box_of_width_one() -> None:
+    t = copy.deepcopy(base("square"))
+    (left, low), (right, top) = (map(Fraction, t.certificate["vertices"][k]) for k in (0, 2))
+    assert right - left == top - low
+    moved(t, -left, 1 / (right - left), -low)
+    assert t.certificate["vertices"][:4] == [["0", "0"], ["1", "0"], ["1", "1"], ["0", "1"]]
+    assert by_python(t.files())[0] == 0
 
 
 def with_claims(**claims: str) -> tuple[int, str]:
@@ -680,6 +690,19 @@ def test_cycles_are_the_same_however_their_rows_are_written() -> None:
             found = check.cycles(tokens)
             assert [found[i].tolist() for i in range(len(found))] == [a, b] and tokens.items == count
             assert word(rows, "cycles", items=count - 1) == f"size: FILE: more than {count - 1} items"
+
+
+@pytest.mark.parametrize("block", [16, 23, 40, 64, 100])
+def test_rows_are_read_once_wherever_blocks_end(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(check, "_BLOCK", block)
+    places = [(k, -k) for k in range(40)]
+    tokens = check.Tokens(io.BytesIO(json.dumps([[str(x), str(y)] for x, y in places]).encode()), "FILE",
+                          check.Limits(items=1000))
+    assert check.points(tokens) == [(x, y, 1) for x, y in places] and tokens.items == 40
+    lists = [[k, k + 1, k + 2] for k in range(40)]
+    tokens = check.Tokens(io.BytesIO(json.dumps(lists).encode()), "FILE", check.Limits(items=1000))
+    found = check.cycles(tokens)
+    assert [found[i].tolist() for i in range(len(found))] == lists and tokens.items == 160
 
 
 def test_lists_without_items() -> None:
