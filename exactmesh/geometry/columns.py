@@ -57,7 +57,7 @@ class Columns(Sequence[Point]):
         points = self.points
         for i in open_places.tolist():
             signs[i] = orientation(points[a[i]], points[b[i]], points[c[i]])
-        note("orientation", len(signs), len(open_places))
+        note("turn", len(signs), len(open_places))
         return signs
 
     def distances_squared(self, a: Ints, b: Ints) -> Balls:

@@ -1,0 +1,53 @@
+"""Sizes of numbers: linear in those of the input whatever its length, and refused when they are not."""
+
+from dataclasses import replace
+
+import families
+import pytest
+from gmpy2 import mpq
+
+from exactmesh.claims.run import Run
+from exactmesh.geometry.point import Point
+from exactmesh.steps.size_check import Bits, bits_of, check_sizes, limits
+
+NAMES = ["comb 5", "turned comb", "random pslg 1", "map 1", "star 24", "partition 24", "reflex notch 1e-6", "30 digits"]
+
+
+def verdict(made):
+    return check_sizes(made.shape, made.offset, made.trapezoidation, made.interior, made.tube)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_coordinate_is_longer_than_allowed(name):
+    made = Run((families.ALL_SMALL | families.SMALL_PSLGS)[name]).repaired
+    assert verdict(made).holds and verdict(made).instances == len(made.points)
+
+
+def test_the_length_of_the_input_does_not_matter():
+    bits = [bits_of(Run(families.random_simple_polygon(count, 1, "monotone")).repaired.tube.points)
+            for count in (60, 600)]
+    # More vertices make longer coordinates of the input, and come nearer to the worst case: no more than that.
+    assert bits[1].denominator < 2 * bits[0].denominator
+
+
+@pytest.mark.parametrize("part, slope", [("offset", 8), ("chords", 17), ("interior", 800), ("tube", 320)])
+def test_the_bounds_are_linear(part, slope):
+    short, middle, long = (getattr(limits(Bits(n, n)), part) for n in (1000, 2000, 3000))
+    for at in (0, 1):
+        assert middle[at] - short[at] == long[at] - middle[at] <= slope * 1000
+
+
+def test_bits_are_those_of_the_longest_coordinate():
+    points = [Point(mpq(-8), mpq(1, 3)), Point(mpq(5, 64), mpq(0))]
+    assert bits_of(points) == (4, 7) and bits_of([]) == (1, 1)
+
+
+@pytest.mark.parametrize("part", ["offset", "trapezoidation", "interior", "tube"])
+def test_a_longer_coordinate_is_refused(part):
+    made = Run(families.ALL_SMALL["turned comb"]).repaired
+    record = getattr(made, part)
+    first = record.points[0]
+    for far in (Point(first.x + mpq(1, 2**100_000), first.y), Point(first.x, first.y + mpq(2) ** 100_000)):
+        harmed = verdict(replace(made, **{part: replace(record, points=(far, *record.points[1:]))}))
+        assert not harmed.holds and harmed.witness.clause == "coordinates are as short as their formulas"
+        assert harmed.instances == harmed.witness.place["vertex"] + 1 == record.first + 1
