@@ -1,4 +1,4 @@
-"""docs/search.md: its commands run, the output shown is theirs, its plug-in works, the catalogue's commands are taken."""
+"""docs/search.md: its commands run and print what is shown, its plug-in works, the catalogue's commands are taken."""
 
 import contextlib
 import re
@@ -14,7 +14,8 @@ from exactmesh.cli import main
 TEXT = (Path(__file__).parents[2] / "docs" / "search.md").read_text(encoding="utf-8")
 # A claim of which confirmed violations are found.
 FAIL = "appendix-a.offset-edge-length"
-CATALOGUE = [line for block in re.findall(r"```text\n(exactmesh .*?)```", TEXT, re.DOTALL) for line in block.splitlines()]
+CATALOGUE = [line for block in re.findall(r"```text\n(exactmesh .*?)```", TEXT, re.DOTALL)
+             for line in block.splitlines()]
 
 
 @pytest.fixture(scope="module")

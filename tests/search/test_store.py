@@ -222,3 +222,13 @@ def test_bad_arguments_are_refused(tmp_path: Path, arguments: list[str]) -> None
     except SystemExit as left:
         status = int(str(left.code))
     assert status == 2
+
+
+def test_two_processes_of_one_run_share_a_store_from_its_beginning(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "exactmesh", "search", "offset-edge-length", "--strategy", "random", "--family",
+               "triangle", "--size", "4", "--tasks", "6", "--quiet", "--resume", "--store"]
+    together = [subprocess.Popen([*command, str(tmp_path / "both.db")]) for _ in range(2)]
+    assert [process.wait() for process in together] == [0, 0]
+    assert main([*command[3:], str(tmp_path / "one.db")]) == 0
+    assert rows(tmp_path / "both.db") == rows(tmp_path / "one.db")
+    assert finds(tmp_path / "both.db") == finds(tmp_path / "one.db")
