@@ -18,8 +18,8 @@ from exactmesh.errors import ConstructionFailed, InputError
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; return its exit status."""
     words = sys.argv[1:] if argv is None else argv
-    args = parser_of(words[0] if words else "").parse_args(words)
     try:
+        args = parser_of(words[0] if words else "").parse_args(words)
         with limits_of(args):
             status: int = args.run(args)
         if sys.stdout is not None:  # None when the caller has closed it

@@ -11,6 +11,7 @@ from exactmesh.io.geojson import pslg_from_geojson_value
 from exactmesh.io.library import library
 from exactmesh.io.parts import closed, parts_of
 from exactmesh.io.strict_json import Json, Number
+from exactmesh.io.text import quoted
 from exactmesh.planar.pslg import Pslg
 
 
@@ -55,7 +56,7 @@ def pslg_from_wkb(data: bytes) -> Pslg:
     try:
         geometry = shapely.from_wkb(data)
     except (shapely.errors.ShapelyError, TypeError, ValueError) as error:
-        raise FormatError("", f"this is not WKB: {error}") from None
+        raise FormatError("", f"this is not WKB: {quoted(str(error).strip())}") from None
     if geometry is None or geometry.is_empty:
         raise FormatError("", "an empty geometry has no place in a PSLG")
     return pslg_from_geo(geometry)

@@ -35,7 +35,7 @@ class Limits(NamedTuple):
 JSON_SEPARATORS = ",[{"
 TEXT_SEPARATORS = ",(" + "".join(c for c in map(chr, range(0x3001)) if c.isspace())
 
-_BLOCK = 1 << 24
+_BLOCK = 1 << 20
 _DIGITS = re.compile(r"\d*", re.ASCII)
 # A number with an exponent, alone in its place: there is no other token that is parsed as one.
 _EXPONENT = re.compile(r"(?<![\w.])[+-]?[\d.]+[eE][+-]?(\d+)(?![\w.])", re.ASCII)
@@ -65,10 +65,12 @@ def bytes_of(file: BinaryIO) -> bytes:
         known = 0
     if known > limit:
         raise _beyond("bytes", limit)
-    blocks = []
+    blocks: list[bytes] = []
     left = limit + 1
     size = known or _BLOCK  # what the system knows comes in one piece, which `join` does not copy
-    while left and (block := file.read(min(size, left))):
+    # One read of the system at a time: between two of them an interruption is noticed.
+    read = getattr(file, "read1", file.read)
+    while left and (block := read(min(size, left))):
         blocks.append(block)
         left -= len(block)
         size = _BLOCK
