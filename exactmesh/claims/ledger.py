@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from exactmesh.claims.ahead import verdicts_ahead
 from exactmesh.claims.claim import Claim, Judgement
 from exactmesh.claims.elsewhere import ELSEWHERE_CLAIMS
 from exactmesh.claims.repaired import REPAIRED_CLAIMS
@@ -43,9 +44,10 @@ def judge_one(claim: Claim, run: Run) -> Judgement:
 
 def judge(run: Run) -> Iterator[Judgement]:
     """Yield the verdict on each claim of the run's construction in turn; `run.progress` is told its id beforehand."""
+    ahead = verdicts_ahead(run, run.jobs)
     for claim in CLAIMS:
         if claim.check is not None and claim.concerns(run):
             run.progress(claim.id)
             with collector_paused():
-                verdict = claim.check(run)
+                verdict = ahead[claim.id] if claim.id in ahead else claim.check(run)
             yield Judgement(claim, verdict)

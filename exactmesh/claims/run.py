@@ -47,12 +47,13 @@ class Run:
 
     `progress` is called with the name of each step as it begins. A proper mesh by the paper is Theorem 2's: its
     rectangles are filled in layers. `optimal` asks for the best classic mesh instead of the constrained Delaunay
-    triangulation. Raises `InputError` when the construction makes no meshes of that kind.
+    triangulation. `jobs` is the number of processes that check. Raises `InputError` when the construction makes no
+    meshes of that kind.
     """
 
     def __init__(self, pslg: Pslg, construction: ConstructionName = "repaired", kind: Kind = "nonproper",
-                 options: PaperOptions = _DEFAULTS, progress: Callable[[str], None] = _silent, optimal: bool = False
-                 ) -> None:
+                 options: PaperOptions = _DEFAULTS, progress: Callable[[str], None] = _silent, optimal: bool = False,
+                 jobs: int = 1) -> None:
         self.pslg = pslg
         self.construction: ConstructionName = construction
         if kind not in KINDS_OF[construction]:
@@ -63,6 +64,7 @@ class Run:
         self.options = replace(options, rectangle="layers") if kind == "proper" else options
         self.progress = progress
         self.optimal = optimal
+        self.jobs = jobs
 
     @cached_property
     def subdivision(self) -> Subdivision:

@@ -12,7 +12,7 @@ from exactmesh.commands.construction import add_construction
 from exactmesh.commands.exit_status import FAILS, HOLDS
 from exactmesh.commands.limits import add_limits
 from exactmesh.commands.optimization import add_optimization, check_optimization, optimized
-from exactmesh.commands.options import Subparsers, add_box, add_quiet, read_source
+from exactmesh.commands.options import Subparsers, add_box, add_quiet, positive, read_source
 from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.io.mesh_json import json_from_mesh
@@ -41,6 +41,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--certificate", metavar="C", help="write what a checker needs (exactmesh-certificate/1)")
     command.add_argument("--pslg", metavar="P", help="write the input, box included, as exactmesh-pslg/1: the checkers "
                          "read no other format")
+    command.add_argument("--jobs", metavar="N", type=positive, default=1, help="processes that check (default: 1)")
     add_quiet(command)
     add_limits(command)
     command.set_defaults(run=_run)
@@ -72,7 +73,7 @@ def _run(args: argparse.Namespace) -> int:
         elif args.certificate:
             pslg_data = pslg_bytes(args.file, source.sha256)
         options = paper_options(dict(args.paper))
-        run = Run(source.pslg, construction, args.kind, options, progress, args.optimal)
+        run = Run(source.pslg, construction, args.kind, options, progress, args.optimal, args.jobs)
         if args.optimize:
             result, summary = optimized(args, run)
         else:
