@@ -116,7 +116,7 @@ class Outcome:
         return 100 * (self.killed + self.timed_out) / self.total
 
 
-def settings(module: str, tests: Sequence[str]) -> str:
+def settings(module: str, tests: Sequence[str], patience: float) -> str:
     """Return the pyproject.toml of the copy."""
     of_pytest = ["-p", "no:cacheprovider", *(f"--deselect={name}" for name in LEFT_OUT)]
     return f"""
@@ -130,7 +130,7 @@ only_mutate = ["{module}"]
 also_copy = {json.dumps(["conftest.py", *COPIED[2:]])}
 pytest_add_cli_args = {json.dumps(of_pytest)}
 pytest_add_cli_args_test_selection = {json.dumps(list(tests))}
-timeout_multiplier = 4.0
+timeout_multiplier = {patience}
 timeout_constant = 2.0
 use_git_change_detection = false
 """
@@ -152,20 +152,20 @@ def without_caches(source: str) -> str:
     return "\n".join(lines)
 
 
-def prepare(folder: Path, module: str) -> None:
+def prepare(folder: Path, module: str, patience: float) -> None:
     """Copy what is tested, and the tests."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in COPIED:
         shutil.copytree(ROOT / name, folder / name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
     source = folder / module
     source.write_text(without_caches(source.read_text(encoding="utf-8")), encoding="utf-8")
-    configure(folder, module)
+    configure(folder, module, patience)
 
 
-def configure(folder: Path, module: str) -> None:
+def configure(folder: Path, module: str, patience: float) -> None:
     """Write what mutmut and pytest are to do in the copy."""
     (folder / "conftest.py").write_text(CONFTEST, encoding="utf-8")
-    (folder / "pyproject.toml").write_text(settings(module, TARGETS[module]), encoding="utf-8")
+    (folder / "pyproject.toml").write_text(settings(module, TARGETS[module], patience), encoding="utf-8")
 
 
 def mutmut(folder: Path, *args: str) -> str:
@@ -196,7 +196,7 @@ def gist(folder: Path, name: str) -> str:
     return "\n".join(f"    {line}" for line in lines if line[:1] in "+-" and line[:3] not in ("+++", "---"))
 
 
-def tested(module: str, folder: Path, again: bool, children: int) -> Outcome:
+def tested(module: str, folder: Path, again: bool, children: int, patience: float) -> Outcome:
     """Return the outcome for one module; new unless `again`."""
     if again:
         old = outcome(folder, module).survivors
@@ -204,12 +204,12 @@ def tested(module: str, folder: Path, again: bool, children: int) -> Outcome:
             shutil.rmtree(folder / name, ignore_errors=True)
             shutil.copytree(ROOT / "tests", folder / name, ignore=shutil.ignore_patterns("__pycache__"))
         (folder / "mutants" / "mutmut-stats.json").unlink(missing_ok=True)
-        configure(folder, module)
+        configure(folder, module, patience)
         if old:
             mutmut(folder, "run", "--max-children", str(children), *old)
     else:
         shutil.rmtree(folder, ignore_errors=True)
-        prepare(folder, module)
+        prepare(folder, module, patience)
         mutmut(folder, "run", "--max-children", str(children))
     return outcome(folder, module)
 
@@ -220,13 +220,14 @@ def main() -> int:
     parser.add_argument("--folder", type=Path, default=ROOT / "build" / "mutation")
     parser.add_argument("--again", action="store_true", help="retest survivors")
     parser.add_argument("--children", type=int, default=1, help="processes at a time")
+    parser.add_argument("--patience", type=float, default=4, help="time out after so many times what tests take (4)")
     args = parser.parse_args()
     if unknown := set(args.modules) - set(TARGETS):
         parser.error(f"no target: {', '.join(sorted(unknown))}")
     outcomes: list[Outcome] = []
     for module in args.modules or TARGETS:
         folder = args.folder / module.removesuffix(".py").replace("/", ".")
-        found = tested(module, folder, args.again, args.children)
+        found = tested(module, folder, args.again, args.children, args.patience)
         outcomes.append(found)
         print(f"{module}: {found.percent:.1f} % of {found.total}: {found.killed} killed, {found.timed_out} timed out, "
               f"{len(found.survivors)} survived", flush=True)
