@@ -11,7 +11,8 @@ import readme
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "docs" / name for name in (
-    "tutorial.md", "how-to/own-file.md", "how-to/verify.md", "how-to/cluster.md", "how-to/cite.md")]
+    "tutorial.md", "how-to/own-file.md", "how-to/verify.md", "how-to/cluster.md", "how-to/cite.md",
+    "pictures.md")]
 FAILS = "--stop-at-first"  # the search that is meant to end with a violation
 _FILE = re.compile(r"```text (\S+)\n(.*?)```", re.DOTALL)
 

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from exactmesh.commands.construction import add_construction
@@ -16,21 +17,12 @@ if TYPE_CHECKING:
     from exactmesh.pictures.scene import Scene
     from exactmesh.pictures.view import View
 
-_EPILOG = """examples:
-  exactmesh plot FILE -o input.svg                      the input with its mfs
-  exactmesh plot FILE MESH -o mesh.svg                  a mesh of it, from anywhere
-  exactmesh plot FILE --step mesh -o mesh.png           its mesh, made now
-  exactmesh plot FILE --construction paper --step all -o steps.svg
-  exactmesh plot FILE --step tube --window 0,0,3/2,1 -o part.pdf"""
-
-
 def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
     command = commands.add_parser(
-        "plot", help="a picture of an input, of a mesh, or of any step of a construction",
-        formatter_class=argparse.RawDescriptionHelpFormatter, epilog=_EPILOG)
-    command.add_argument("files", metavar="FILE", nargs="+", help="a PSLG, a mesh (exactmesh-mesh/1), or a PSLG and "
-                         "a mesh of it")
+        "plot", help="a picture of an input, of a mesh, or of any step of a construction")
+    command.add_argument("files", metavar="FILE", nargs="+", help="a PSLG, a mesh, or a PSLG and a mesh of it; of "
+                         "exactmesh or of others (.ele, .msh, .vtu, .obj, ..)")
     command.add_argument("-o", "--output", metavar="OUT", required=True,
                          help="the picture: .svg, or .png and .pdf, which need matplotlib; - is standard output, SVG")
     command.add_argument("--step", metavar="STEP", help="of a PSLG: P (the input, the default); mesh; of the paper's "
@@ -81,26 +73,20 @@ def _form(path: str) -> str:
 def _scene(args: argparse.Namespace, progress: Progress) -> "tuple[Scene, bool]":
     """Return the picture, and whether what it shows is valid."""
     from exactmesh.claims.run import ConstructionName, Run, construction_for
-    from exactmesh.io.read import read_bytes, read_mesh
-    from exactmesh.measure.validity import verify_mesh
+    from exactmesh.io.read_faces import holds_mesh
     from exactmesh.paper import paper_options
-    from exactmesh.pictures.draw import picture_of_faces, picture_of_input, picture_of_mesh, picture_of_run
-    from exactmesh.planar.faces import domain_of, subdivide
+    from exactmesh.pictures.draw import picture_of_input, picture_of_run
+    from exactmesh.planar.faces import subdivide
 
     first, *others = args.files
     made = args.construction or args.kind or args.paper
     view = None if args.window is None else _window(args.window)
-    is_mesh = not others and first != "-" and b"exactmesh-mesh/" in read_bytes(first)
-    if (others or is_mesh) and (args.step or made):
+    is_mesh = bool(others) or (first != "-" and holds_mesh(first) != "")
+    if is_mesh and (args.step or made):
         raise InputError("--step, --construction, --paper and --kind are of what is made from a PSLG; a mesh was given")
     if is_mesh:
-        return picture_of_faces(read_mesh(first).mesh, view), True
+        return _scene_of_mesh(args, view, progress)
     pslg = read_source(args, first).pslg
-    if others:
-        mesh = read_mesh(others[0]).mesh
-        progress("verification")
-        verification = verify_mesh(domain_of(pslg), mesh)
-        return picture_of_mesh(pslg, mesh, verification, view=view), verification.valid
     if not args.step and not made:
         subdivide(pslg)
         return picture_of_input(pslg, view), True
@@ -108,6 +94,39 @@ def _scene(args: argparse.Namespace, progress: Progress) -> "tuple[Scene, bool]"
     construction: ConstructionName = args.construction or construction_for(kind)
     run = Run(pslg, construction, kind, paper_options(dict(args.paper)), progress)
     return picture_of_run(run, args.step or "mesh", view), True
+
+
+def _scene_of_mesh(args: argparse.Namespace, view: "View | None", progress: Progress) -> "tuple[Scene, bool]":
+    """Return the picture of a mesh, with its input or without, and whether it is exactly a mesh of that."""
+    from exactmesh.io.read import read_mesh
+    from exactmesh.io.read_faces import holds_mesh, read_faces
+    from exactmesh.measure.foreign import in_order, measure_foreign
+    from exactmesh.measure.validity import verify_mesh
+    from exactmesh.pictures.draw import picture_of_faces, picture_of_mesh
+    from exactmesh.planar.faces import domain_of
+    from exactmesh.planar.mesh import Mesh
+    from exactmesh.planar.pslg import Pslg
+
+    *given, path = args.files
+    is_foreign = path != "-" and holds_mesh(path) != "ours"
+    if not given:
+        if not is_foreign:
+            return picture_of_faces(read_mesh(path).mesh, view), True
+        points, cycles, _ = in_order(Pslg((), ()), *read_faces(path))
+        return picture_of_faces(Mesh("nonproper", points, cycles), view), True
+    pslg = read_source(args, given[0]).pslg
+    subdivision = domain_of(pslg)
+    if not is_foreign:
+        mesh = read_mesh(path).mesh
+        progress("verification")
+        verification = verify_mesh(subdivision, mesh)
+        return picture_of_mesh(pslg, mesh, verification, view=view), verification.valid
+    vertices, faces = read_faces(path, pslg)
+    progress("measuring")
+    measured = measure_foreign(subdivision, vertices, faces)
+    # Of a mesh that rounding has spoilt, what is drawn is the nearest pair of its edges.
+    found = replace(measured.verification, mesh_mfs=measured.graph.nearest)
+    return picture_of_mesh(pslg, measured.mesh, found, view=view), found.valid
 
 
 def _window(text: str) -> "View":

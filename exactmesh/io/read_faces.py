@@ -1,17 +1,34 @@
 """Read a mesh in any format as it is written: vertices and faces in the file's order, to be measured elsewhere."""
 
 import os
+from typing import Literal
 
 from exactmesh.errors import FormatError, InputError
 from exactmesh.geometry.point import Point
 from exactmesh.io.cgshop import is_solution, mesh_from_solution
 from exactmesh.io.mesh_json import mesh_from_value
 from exactmesh.io.meshio_mesh import faces_from_meshio
-from exactmesh.io.read import blaming, bytes_at
+from exactmesh.io.read import blaming, bytes_at, read_bytes
 from exactmesh.io.strict_json import parse_json
 from exactmesh.io.text import printable, text_from_bytes
 from exactmesh.io.triangle_ele import Faces, triangles_from_ele
 from exactmesh.planar.pslg import Pslg
+
+_OURS = b'"exactmesh-mesh/'
+_SOLUTION = b'"CG_SHOP_2025_Solution"'
+# Files of other programs with these names have faces; what others hold, a PSLG or not, is for its reader to say.
+_MESHES = (".ele", ".msh", ".vtu", ".vtk", ".obj", ".off", ".stl", ".ply", ".mesh", ".inp", ".xdmf")
+
+
+def holds_mesh(path: str) -> Literal["ours", "foreign", ""]:
+    """Return whether a file is a mesh: exactmesh-mesh/1, of another program, or (empty) none, as far as one can tell.
+
+    Raises `InputError` when it cannot be read.
+    """
+    data = read_bytes(path)
+    if _OURS in data:
+        return "ours"
+    return "foreign" if _SOLUTION in data or os.path.splitext(path)[1].lower() in _MESHES else ""
 
 
 def read_faces(path: str, pslg: Pslg | None = None) -> tuple[tuple[Point, ...], Faces]:

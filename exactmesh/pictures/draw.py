@@ -128,4 +128,6 @@ def _mesh_title(pslg: Pslg, verification: Verification) -> str:
     text = f"{verification.faces} faces, {verification.steiner} Steiner vertices"
     if verification.degradation_squared is not None:
         text += f", degradation {sqrt_text(verification.degradation_squared, 6)}"
+    if not verification.valid:
+        text += ", not valid"
     return f"{pslg.name + ': ' if pslg.name else ''}{text}"

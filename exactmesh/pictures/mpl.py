@@ -60,7 +60,7 @@ def draw_panel(panel: Panel, axes: "Axes", legend: bool = True) -> None:
 
 
 def image_bytes(scene: Scene, form: str) -> bytes:
-    """Return the picture as the bytes of a PNG or PDF file, the same ones each time.
+    """Return the picture, less its caption, as the bytes of a PNG or PDF file, the same ones each time.
 
     Raises `InputError` without matplotlib.
     """
@@ -72,7 +72,7 @@ def image_bytes(scene: Scene, form: str) -> bytes:
     heights = [max(p.height for p in row) + 34 for row in scene.rows]
     width = max(across, 640.0) / _DPI
     lines = -(-len(scene.keys) // max(1, int(width * _DPI / 250)))
-    below = _LEGEND * lines + _LEGEND * len(scene.caption) + 0.1
+    below = _LEGEND * lines + 0.1
     height = sum(heights) / _DPI + _TITLE + below
     # Without the user's style sheets, so that one picture has one look.
     with matplotlib.rc_context(matplotlib.rcParamsDefault | {"pdf.compression": 6, "svg.hashsalt": "exactmesh"}):
@@ -95,9 +95,7 @@ def image_bytes(scene: Scene, form: str) -> bytes:
             handles = [Patch(visible=False) if key.look == "none" else _handle(key) for key in scene.keys]
             figure.legend(handles, [key.text for key in scene.keys], loc="lower left", fontsize=8, frameon=False,
                           ncol=max(1, int(width * _DPI / 250)),
-                          bbox_to_anchor=(0.01, _LEGEND * len(scene.caption) / height))
-        for i, text in enumerate(reversed(scene.caption)):
-            figure.text(0.02, (0.05 + _LEGEND * i) / height, text, fontsize=8, color=INK)
+                          bbox_to_anchor=(0.01, 0))
         stream = io.BytesIO()
         # What would differ from day to day, or from version to version, stays out.
         metadata = {"CreationDate": None, "Producer": None, "Creator": None} if form == "pdf" else {"Software": None}

@@ -144,6 +144,8 @@ def test_an_invalid_mesh_is_drawn_without_its_feature_size() -> None:
     verification = verify(SQUARE, bad)
     assert not verification.valid
     root = root_of(svg_text(picture_of_mesh(SQUARE, bad, verification)))
+    (heading,) = texts(root, "heading")
+    assert heading == "5 faces, 0 Steiner vertices, not valid"
     assert paths(root, "witness") == [] and len(paths(root, "input-witness")) == 1
     # One triangle, two that are none; a face that names vertex 9 of 4 is left out, and so is one of no vertices.
     assert count(root, "feature-1") == 1 and count(root, "no-triangle") == 2

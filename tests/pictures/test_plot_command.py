@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
-from drawn import count, panels, root_of
+from drawn import count, panels, root_of, texts
 
 from exactmesh import cli
 from exactmesh.api import mesh, polygon
@@ -79,6 +79,33 @@ def test_an_invalid_mesh_is_drawn_and_told(files: Files) -> None:
     out = files.folder / "bad.svg"
     assert run(files.room, str(bad), "-o", str(out)) == 1
     assert count(root_of(out.read_text()), "feature-0") == 1
+
+
+NODES = "4 2 0 0\n1 0 0\n2 7 0\n3 7 3\n4 0 3\n"
+# The second triangle is given clockwise.
+TRIANGLES = "2 3 0\n1 1 2 3\n2 1 4 3\n"
+
+
+def test_meshes_of_other_programs_are_drawn(files: Files) -> None:
+    (files.folder / "box.node").write_text(NODES)
+    ele = files.folder / "box.ele"
+    ele.write_text(TRIANGLES)
+    alone = drawn(files, str(ele))
+    assert count(alone, "faces") == 2 and count(alone, "rim") == 4
+    Path(files.room).write_text(json_from_pslg(polygon([(0, 0), (7, 0), (7, 3), (0, 3)])))
+    root = drawn(files, files.room, str(ele))
+    assert sum(count(root, f"feature-{rank}") for rank in range(7)) == 2 and count(root, "no-triangle") == 0
+
+
+def test_a_mesh_that_is_not_quite_one_shows_its_nearest_pair(files: Files) -> None:
+    # Its upper right corner is rounded: the edges are those of a plane graph, but not of a mesh of the input.
+    (files.folder / "box.node").write_text(NODES)
+    (files.folder / "box.ele").write_text(TRIANGLES)
+    Path(files.room).write_text(json_from_pslg(polygon([(0, 0), (7, 0), ("7.0001", 3), (0, 3)])))
+    out = files.folder / "box.svg"
+    assert run(files.room, str(files.folder / "box.ele"), "-o", str(out)) == 1
+    root = root_of(out.read_text())
+    assert count(root, "witness") >= 1 and ", not valid" in texts(root, "heading")[0]
 
 
 def test_a_window_holds_what_is_in_it(files: Files) -> None:
