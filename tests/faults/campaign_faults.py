@@ -146,7 +146,7 @@ def with_small_disk(folder: Path, words: Sequence[str], source: random.Random, s
     """Run on a disk of a few kilobytes; the folder holds afterwards what is on it."""
     there = folder.parent / "disk"
     there.mkdir()
-    size = source.randrange(5, 16) * 4096
+    size = source.randrange(11, 26) * 4096  # room for what is there already
     subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "none", str(there)], check=True, capture_output=True)
     try:
         inner = there / "work"
