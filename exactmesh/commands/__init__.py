@@ -5,4 +5,5 @@ MODULES = {
     "reproduce": "reproduce", "dissect": "dissect", "verify-dissection": "verify_dissection", "prove": "prove",
     "search": "search", "hits": "hits", "verify-run": "verify_run", "examples": "examples", "convert": "convert",
     "degradation": "degradation", "view": "view", "plot": "plot", "trust": "trust", "completion": "completion",
+    "bench": "bench",
 }

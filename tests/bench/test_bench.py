@@ -1,0 +1,166 @@
+"""The benchmark: its inputs are what they are called, its numbers add up, and the command runs on tiny inputs."""
+
+import json
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from exactmesh.bench import measure
+from exactmesh.bench.inputs import FAMILIES, LEAST, WHAT, coast, roof
+from exactmesh.bench.measure import Beside, Plan, Results, Row, exponent, measured, plan_of
+from exactmesh.bench.peers import PEERS, Peer
+from exactmesh.bench.report import bench_json, bench_svg, bench_text
+from exactmesh.bench.worker import STAGES, WITHOUT_MESH, machine
+from exactmesh.cli import main
+from exactmesh.errors import InputError
+from exactmesh.measure.mfs import minimum_feature_size
+from exactmesh.planar.faces import domain_of
+
+ROW = Row("circle", 10_000, dict.fromkeys(STAGES, 0.5), dict.fromkeys(STAGES, 0.6), 300 << 20, 50 << 20, 9, 9, True,
+          {"orientation": (99_000, 1_000)})
+
+
+# --- inputs ---
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_every_family_is_valid_and_has_about_the_size(name: str) -> None:
+    for n in (LEAST, 500):
+        graph = FAMILIES[name](n)
+        assert domain_of(graph).domain
+        if name != "coast":
+            assert 0.8 * n <= len(graph.vertices) <= n + 2
+        assert graph == FAMILIES[name](n)
+    assert WHAT.keys() == FAMILIES.keys()
+
+
+def test_a_bent_coast_has_the_size_and_its_own_vertices() -> None:
+    own = coast(0)
+    bent = coast(5000)
+    assert len(bent.vertices) == 5000 and bent.vertices[: len(own.vertices)] == own.vertices
+    assert len(domain_of(bent).domain) == len(domain_of(own).domain)
+    assert sum(degree != 2 for degree in _degrees(bent.edges, 5000)) == 0
+
+
+def _degrees(edges: tuple[tuple[int, int], ...], count: int) -> list[int]:
+    degrees = [0] * count
+    for edge in edges:
+        for v in edge:
+            degrees[v] += 1
+    return degrees
+
+
+def test_the_roof_is_long_and_nearly_horizontal_and_above_all() -> None:
+    graph = roof(100)
+    long = [(graph.vertices[u], graph.vertices[v]) for u, v in graph.edges
+            if abs(graph.vertices[u].x - graph.vertices[v].x) > 50]
+    assert len(long) == 1 and 0 < abs(long[0][0].y - long[0][1].y) < 1e-5
+    assert min(p.y for p in long[0]) > max(p.y for p in graph.vertices[:-2])
+    found = minimum_feature_size(graph)
+    assert found is not None and found.squared > 0
+
+
+# --- numbers ---
+
+
+@pytest.mark.parametrize(("points", "power"), [
+    ([(10, 5), (100, 50)], 1.0), ([(10, 3), (100, 300), (1000, 30_000)], 2.0), ([(10, 7), (1000, 7)], 0.0)])
+def test_the_exponent_of_a_power_is_that_power(points: list[tuple[float, float]], power: float) -> None:
+    found = exponent(points)
+    assert found is not None and abs(found - power) < 1e-9
+
+
+@pytest.mark.parametrize("points", [[], [(10, 5)], [(10, 5), (10, 6)], [(10, 0), (20, 5)]])
+def test_there_is_no_exponent_without_two_sizes(points: list[tuple[float, float]]) -> None:
+    assert exponent(points) is None
+
+
+def test_growth_is_fitted_from_ten_thousand_on_where_there_are_two_such_sizes() -> None:
+    rows = [replace(ROW, n=1000, cpu=dict.fromkeys(STAGES, 99.0)), ROW,
+            replace(ROW, n=100_000, cpu=dict.fromkeys(STAGES, 5.0))]
+    found = json.loads(bench_json(Results(rows, []), "m"))
+    assert abs(found["growth"]["circle"]["all"] - 1) < 1e-9
+
+
+def test_the_table_says_what_was_measured_what_failed_and_what_is_missed() -> None:
+    beside = [Beside("geos", "circle", 100_000, 10.0, 1.0, 0.2), Beside("geos", "comb", 100_000, 10.0, 3.0, 0.2),
+              Beside("sect", "random", 1000, 0.02, failure="not installed (sect)")]
+    text = bench_text(Results([ROW, Row("comb", 10_000, failure="ended by signal 9"),
+                               replace(ROW, family="star", holds=False)], beside), "a machine")
+    lines = {line.split()[0]: line for line in text.splitlines() if line.strip()}
+    assert "a machine" in text and "NOT VALID" in text and "ended by signal 9" in text and "not installed" in text
+    circle = next(line for line in text.splitlines() if line.startswith("circle"))
+    assert circle.split()[2] == "50.0" and " 300 " in circle and " 1.00" in circle
+    assert "10.0, 0.10" in lines["orientation"]
+    rows = [line for line in text.splitlines() if line.startswith("GEOS")]
+    assert rows[0].endswith("met") and rows[1].endswith("MISSED")
+
+
+def test_the_picture_has_a_panel_for_each_family_and_the_peers() -> None:
+    beside = [Beside("geos", "circle", 100_000, 10.0, 1.0, 0.2)]
+    svg = bench_svg(Results([ROW, replace(ROW, n=100_000), replace(ROW, family="star")], beside), "m & n")
+    titles = [element.text or "" for element in ET.fromstring(svg).iter("{http://www.w3.org/2000/svg}title")]
+    for panel, series in (("circle", "geos, s"), ("circle", "memory, GiB"), ("star", "verify, s")):
+        assert any(title.startswith(panel) and title.endswith(series) for title in titles)
+
+
+def test_what_is_left_is_told_from_the_rates_so_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = iter([0.0, 10.0, 10.0, 10.0 + 100.0, 110.0, 110.0, 110.0])
+    monkeypatch.setattr(measure.time, "perf_counter", lambda: next(now))
+    monkeypatch.setattr(measure, "_run", lambda task: {"n": 1000})
+    said: list[str] = []
+    measured(Plan(["circle"], [1000, 10_000], peers=()), said.append)
+    # 10 seconds for 1000 vertices: 100 for the ten times as many that are left.
+    assert said[1] == "circle, 10000 vertices (2 of 2, about 2 min left)"
+
+
+def test_a_process_that_fails_leaves_a_row_and_the_rest_goes_on() -> None:
+    found = measure._run({"task": "make", "family": "no such family", "n": 100, "path": "x"})
+    assert "KeyError" in found["failure"]
+
+
+def test_a_size_too_small_is_refused() -> None:
+    with pytest.raises(InputError, match="60 is the least"):
+        plan_of(["circle"], [59, 100], True, len(STAGES), [])
+
+
+# --- the command ---
+
+
+def test_the_command_measures_every_stage_and_peer_there_is(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "out"
+    assert main(["bench", "--sizes", "60", "--short", "--families", "comb,map", "-o", str(folder), "--json",
+                 "--quiet"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found == json.loads((folder / "bench.json").read_text())
+    assert [(row["family"], row["failure"], row["holds"]) for row in found["rows"]] == [
+        ("comb", "", True), ("map", "", True)]
+    for row in found["rows"]:
+        assert set(row["cpu"]) == set(row["wall"]) == set(STAGES) and row["faces"] > row["n"] > 0
+        assert row["memory"] > row["memory_before"] > 0
+        assert {"orientation", "sweep orientation", "least distance"} <= set(row["decisions"])
+    assert {row["peer"] for row in found["peers"]} == set(PEERS)
+    for row in found["peers"]:
+        assert row["failure"] == "" and row["n"] <= 60 and row["ratio"] > 0 and row["target"] is None
+    assert "microseconds a vertex" in (folder / "bench.txt").read_text()
+    ET.parse(folder / "bench.svg")
+
+
+def test_a_peer_that_is_not_there_is_a_row_that_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    gone: Peer = replace(PEERS["geos"], module="no_such_module")
+    monkeypatch.setitem(PEERS, "geos", gone)
+    found = measured(Plan([], [60], WITHOUT_MESH, ["geos"], True, 60), lambda step: None)
+    assert [row.failure for row in found.beside] == ["not installed (no_such_module)"] * 3
+    assert "not installed" in bench_text(found, machine())
+
+
+@pytest.mark.parametrize("wrong", [["--sizes", "x"], ["--families", "none"], ["--peers", "nobody"]])
+def test_a_wrong_choice_is_refused(wrong: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as caught:
+        main(["bench", *wrong])
+    assert caught.value.code == 2
+    assert capsys.readouterr().err
+
+
