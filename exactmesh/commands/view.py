@@ -15,11 +15,6 @@ from exactmesh.progress import Progress
 if TYPE_CHECKING:
     from exactmesh.viewer.subject import Subject
 
-_OUR_MESH = b'"exactmesh-mesh/'
-_SOLUTION = b'"CG_SHOP_2025_Solution"'
-# Of other programs: files with these names have faces; what others hold, a PSLG or not, is for its reader to say.
-_MESHES = (".ele", ".msh", ".vtu", ".vtk", ".obj", ".off", ".stl", ".ply", ".mesh", ".inp", ".xdmf")
-
 
 def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
@@ -60,8 +55,11 @@ def _write_page(args: argparse.Namespace) -> int:
     from exactmesh.viewer.document import document_of
     from exactmesh.viewer.page import viewer_page
 
-    if "-" in (args.file, args.pslg, args.report):
+    inputs = [path for path in (args.file, args.pslg, args.report) if path is not None]
+    if "-" in inputs:
         raise InputError("a page is made of files, not of standard input")
+    if os.path.realpath(args.output) in map(os.path.realpath, inputs):
+        raise InputError(f"{printable(args.output)}: the page would take the place of what it shows")
     with Progress(args.quiet) as progress:
         progress("reading")
         subject = _subject(args, progress)
@@ -73,15 +71,14 @@ def _write_page(args: argparse.Namespace) -> int:
 def _subject(args: argparse.Namespace, progress: Callable[[str], None]) -> "Subject":
     """Return what the arguments name, whichever kind of file the first one is."""
     from exactmesh.claims.run import Run
-    from exactmesh.io.read import read_bytes, read_mesh, read_pslg
+    from exactmesh.io.read import read_mesh, read_pslg
+    from exactmesh.io.read_faces import holds_mesh, read_faces
     from exactmesh.viewer.report_file import read_report
     from exactmesh.viewer.subject import run_for, subject_of_foreign, subject_of_mesh, subject_of_run
 
     title = printable(os.path.basename(args.file))
-    data = read_bytes(args.file)
-    is_ours = _OUR_MESH in data
-    is_mesh = is_ours or _SOLUTION in data or os.path.splitext(args.file)[1].lower() in _MESHES
-    if not is_mesh:
+    found = holds_mesh(args.file)
+    if not found:
         if args.pslg or args.report:
             raise InputError("--pslg and --report are for a mesh; this file is none")
         return subject_of_run(Run(read_pslg(args.file).pslg, args.construction or "repaired", progress=progress), title,
@@ -89,9 +86,7 @@ def _subject(args: argparse.Namespace, progress: Callable[[str], None]) -> "Subj
     if args.construction:
         raise InputError("--construction is for a PSLG; this file is a mesh")
     given = read_pslg(args.pslg).pslg if args.pslg else None
-    if not is_ours:
-        from exactmesh.io.read_faces import read_faces
-
+    if found == "foreign":
         if args.report or args.steps:
             raise InputError("--report and --steps are for meshes by exactmesh")
         progress("measuring")

@@ -3,8 +3,9 @@
 
 class Editor {
   static NAMES = { repaired: "repaired construction", paper: "the paper's construction" };
-  /** An answer that takes longer than this many milliseconds is given up when the polygon changes. */
-  static PATIENCE = 700;
+  /** An answer that takes longer than so many milliseconds is given up when the polygon changes: while a vertex is
+      dragged an answer to where it was is better than none. */
+  static PATIENCE = { dragging: 5000, still: 700 };
   static REACH = 13;
 
   constructor(settings) {
@@ -77,11 +78,11 @@ class Editor {
       this.#stale(false);
       return;
     }
-    if (this.asked && performance.now() - this.asked.start < Editor.PATIENCE) {
-      this.timer ??= setTimeout(() => {
-        this.timer = null;
-        if (this.asked && this.asked.version !== this.version) this.#ask();
-      }, Editor.PATIENCE);
+    const patience = this.whole ? Editor.PATIENCE.still : Editor.PATIENCE.dragging;
+    const left = this.asked ? this.asked.start + patience - performance.now() : 0;
+    if (left > 0) {
+      clearTimeout(this.timer);
+      this.timer = setTimeout(() => { if (this.asked && this.asked.version !== this.version) this.#ask(); }, left);
       return;
     }
     this.asked?.controller.abort();
@@ -271,7 +272,8 @@ class Editor {
     }
     const { vertices, edges } = this.drawing.state, places = vertices.map((_, v) => this.#place(v));
     for (const [u, v] of edges) painter.segment(camera, ...places[u], ...places[v], colour.input, 2.2);
-    places.forEach(([x, y], v) => painter.dot(camera, x, y, colour.input, v === this.chosen ? 7 : 4.5));
+    const radius = places.length > 60 ? 3 : 4.5;
+    for (const [x, y] of places) painter.dot(camera, x, y, colour.input, radius);
     if (this.chosen >= 0) painter.dot(camera, ...places[this.chosen], colour.hover, 10, true);
     this.#drawFault(places);
     this.#drawRing();

@@ -183,8 +183,9 @@ function claimDetails(claim) {
   if (claim.worst) rows.push(["worst", `≈ ${claim.worst.decimal}`], ["exactly", exact(claim.worst.exact)]);
   if (claim.clause) rows.push(["clause", claim.clause]);
   for (const [name, value] of claim.place) rows.push([name.replaceAll("_", " "), exact(value)]);
-  const note = hasPlace(claim) ? [] : [make("p", { textContent: claim.place.length
-    ? "The report alone does not tell where this is: open the input with --steps." : "This verdict has no place." })];
+  const needsSteps = claim.place.some(([name]) => /^(trapezoid|rectangle|ring|at)$|_of_/.test(name));
+  const note = hasPlace(claim) ? [] : [make("p", { textContent: needsSteps
+    ? "The report alone does not tell where this is: give the input and --steps." : "This verdict has no place." })];
   return [make("h3", { textContent: claim.id }), facts(rows), ...note];
 }
 

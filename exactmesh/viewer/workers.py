@@ -41,18 +41,18 @@ class Workers:
             deadline = time.monotonic() + self.seconds
             while line and name != "end":
                 line = worker.line(max(0.0, deadline - time.monotonic()))
-                if not line:
-                    break
-                part = json.loads(line)
+                part = json.loads(line) if line else {"part": ""}
                 name = part["part"]
-                yield part
+                if name not in ("", "end"):
+                    yield part
         finally:
-            # Also when whoever reads the answer has gone away in the middle of it.
+            # Also when whoever reads the answer has gone away in the middle of it; and before "end" is told, because
+            # the next request may come at once, and would stop a worker that is still busy.
             was_superseded = self._give_back(worker, finished=name == "end")
         if line is None:
             yield {"part": "timeout", "seconds": self.seconds}
-        elif not line:
-            yield {"part": "superseded" if was_superseded else "stopped"}
+        else:
+            yield {"part": name or ("superseded" if was_superseded else "stopped")}
 
     def close(self) -> None:
         """End all processes."""

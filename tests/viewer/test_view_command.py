@@ -82,6 +82,7 @@ def test_meshes_of_others(folder: Path) -> None:
 @pytest.mark.parametrize("arguments, message", [
     ([], "which mesh? give a file, or --edit"),
     (["mesh.json"], "where is the page to go? give -o PAGE"),
+    (["mesh.json", "--pslg", "l.json", "-o", "./l.json"], "./l.json: the page would take the place of what it shows"),
     (["no.json", "-o", "p"], "no.json: no such file"),
     (["-", "-o", "p"], "a page is made of files, not of standard input"),
     (["l.json", "--report", "report.json", "-o", "p"], "--pslg and --report are for a mesh; this file is none"),

@@ -12,11 +12,15 @@ from conftest import Opener
 from pages import L_SHAPE, camera, colour_of, differ, grid_mesh, near, page_file, picture, place_of, run_page
 from PIL import Image, ImageChops, ImageStat
 
+from exactmesh.api import meshing_of
 from exactmesh.claims.run import Run
+from exactmesh.io.strict_json import parse_json
 from exactmesh.measure.face_feature import face_witness
 from exactmesh.planar.mesh import Mesh
+from exactmesh.report import report_json
 from exactmesh.viewer.document import document_of
 from exactmesh.viewer.marks import Places
+from exactmesh.viewer.report_file import report_from_value
 from exactmesh.viewer.stages import whole
 from exactmesh.viewer.subject import Subject, subject_of_mesh, subject_of_run
 
@@ -181,6 +185,17 @@ def test_a_claim_flies_to_its_witness(open_page: Opener, l_page: str) -> None:
             x, y = place_of(page, v)
             assert drawn and near(drawn.getpixel((round(x), round(y) + 7)), colour_of(page, "mark"), 70)
     assert seen > 10
+
+
+def test_a_place_that_only_the_steps_tell_is_said_to_be_so(open_page: Opener, tmp_path: Path) -> None:
+    run = Run(L_SHAPE)
+    report = report_from_value(parse_json(report_json(L_SHAPE, "0" * 64, meshing_of(run), "1" * 64, "repaired")))
+    page = open_page(page_file(tmp_path, document_of(subject_of_mesh(run.mesh, None, report, "t"))))
+    start = camera(page)
+    for name, note in (("repaired.chord-touch", "give the input and --steps"),
+                       ("repaired.steiner-count", "This verdict has no place")):
+        page.locator(f'[data-claim="{name}"]').click()
+        assert note in text(page, "#details") and camera(page) == start
 
 
 def test_the_flight_ends_where_it_should(open_page: Opener, l_page: str) -> None:
