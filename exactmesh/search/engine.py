@@ -1,7 +1,8 @@
 """Where tasks are done: in this process, in some processes of this machine, or on a dask.distributed cluster.
 
-An engine takes tasks one by one and yields reports as they come, in any order. What it has handed out when it is
-stopped (deadline, interrupt, death) is lost and will be done again by a run that resumes. A worker that dies takes
+An engine takes tasks one by one and yields reports as they come, in any order. After the deadline it hands out nothing
+more and waits for what is at work. What is at work when it is stopped (interrupt, death) is lost and will be done again
+by a run that resumes. A worker that dies takes
 its task with it, which is handed out again; a task that kills its workers `_ATTEMPTS` times raises `TaskLost`.
 """
 
@@ -64,14 +65,15 @@ class Processes:
         work: dict[Future[Json], tuple[Task, int]] = {}
         again: list[tuple[Task, int]] = []
         try:
-            while not _is_over(deadline):
-                while len(work) < 2 * self.count and (entry := again.pop() if again else _next(tasks)):
+            while True:
+                while not _is_over(deadline) and len(work) < 2 * self.count and (
+                        entry := again.pop() if again else _next(tasks)):
                     try:
                         work[pool.submit(run_task, spec, *entry[0])] = entry
                     except BrokenProcessPool:
                         again.append(entry)
                         break
-                if not work and not again:
+                if not work and (not again or _is_over(deadline)):
                     return
                 done = wait(work, _POLL, FIRST_COMPLETED).done
                 for future in done:
@@ -116,9 +118,10 @@ class Cluster:
         work: dict[Any, tuple[Task, int]] = {}
         again: list[tuple[Task, int]] = []
         try:
-            while not _is_over(deadline):
+            while True:
                 window = max(8, 3 * sum(self.client.nthreads().values()))
-                while len(work) < window and (entry := again.pop() if again else _next(tasks)):
+                while not _is_over(deadline) and len(work) < window and (
+                        entry := again.pop() if again else _next(tasks)):
                     name = f"exactmesh-{run}-{entry[0].key}-{entry[1]}"
                     work[self.client.submit(run_task, spec, *entry[0], key=name, pure=False)] = entry
                 if not work:

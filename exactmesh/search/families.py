@@ -31,6 +31,8 @@ _Drawn = Iterable[Sequence[object]] | Pslg
 
 def points(source: random.Random, n: int, size: int) -> list[Corner]:
     """Return n different lattice points with coordinates up to `size`."""
+    if n > (size + 1) ** 2:
+        raise InputError(f"there are no {n} lattice points with coordinates up to {size}")
     chosen: dict[Corner, None] = {}
     while len(chosen) < n:
         chosen[source.randint(0, size), source.randint(0, size)] = None
@@ -211,6 +213,8 @@ def tree(source: random.Random, columns: int = 0, rows: int = 0) -> Pslg:
 def segments(source: random.Random, points: int = 0, edges: int = -1, size: int = 0) -> Pslg:
     """Points (0: 1 to 8) in a box, joined by edges (-1: up to as many)."""
     points = points or source.randint(1, 8)
+    if size and points > (size - 1) ** 2:
+        raise InputError(f"there are no {points} lattice points inside a box of {size}")
     return domains.random_segments(points, source.randint(0, points) if edges < 0 else edges, _seed(source), size)
 
 
@@ -280,10 +284,15 @@ def family_of(name: str, parameters: Mapping[str, int], plugin: str = "") -> Fam
 
 
 def _sample(function: Callable[[random.Random], _Drawn], changes: _Changes, source: random.Random) -> Figure:
-    drawn = function(source)
-    if not isinstance(drawn, Pslg):
-        drawn = ring([(mpq(x), mpq(y)) for x, y in drawn])
-    return Figure.of(changes.apply(drawn, source) if changes != _Changes() else drawn)
+    try:
+        drawn = function(source)
+        if not isinstance(drawn, Pslg):
+            drawn = ring([(mpq(x), mpq(y)) for x, y in drawn])
+        return Figure.of(changes.apply(drawn, source))
+    except InputError:
+        raise
+    except Exception as error:  # a plug-in may fail in any way, a family on parameters that make no sense
+        raise InputError(f"the family cannot be drawn: {type(error).__name__}: {error}") from error
 
 
 def planar_sample(family: Family, source: random.Random, attempts: int = 100) -> Figure | None:

@@ -160,6 +160,13 @@ def test_plug_ins_and_refusals() -> None:
         family_of("thin", {}, "import nothing_of_that_name")
     with pytest.raises(InputError, match="no parameter"):
         family_of("star", {"k": 1})
+    for family, parameters, says in (
+            ("growth", {"n": 2}, "at least 3 vertices"), ("tour", {"n": 9, "size": 1}, "no 9"),
+            ("segments", {"points": 9, "size": 2}, "no 9"), ("comb", {"spacing": 9}, "up to 3"),
+            ("wrong", {}, "cannot be drawn: ZeroDivisionError")):
+        plugin = "def wrong(source):\n    return 1 / 0\n" if family == "wrong" else ""
+        with pytest.raises(InputError, match=says):
+            family_of(family, parameters, plugin)(random.Random(0))
     with pytest.raises(InputError, match="no family"):
         family_of("cube", {})
     with pytest.raises(InputError, match="no search can settle"):

@@ -7,16 +7,21 @@ import sqlite3
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from itertools import islice
 from pathlib import Path
 
 import pytest
 
+from exactmesh.claims.ledger import CLAIMS
+from exactmesh.claims.status import ledger
 from exactmesh.cli import main
 from exactmesh.errors import InputError
+from exactmesh.report_ledger import ledger_text
 from exactmesh.search.driver import run_tasks, totals
 from exactmesh.search.engine import Processes, Serial
+from exactmesh.search.evidence import evidence_in, evidence_lines
 from exactmesh.search.spec import Spec, Task, search_tasks
 from exactmesh.search.store import Store
 
@@ -83,11 +88,11 @@ def test_two_writers_share_a_store(tmp_path: Path) -> None:
 
 def test_a_resumed_run_and_many_processes_equal_one_that_goes_through(tmp_path: Path) -> None:
     whole, parts, many = tmp_path / "whole", tmp_path / "parts", tmp_path / "many"
-    assert search(whole, "--tasks", "6") == 1
-    search(parts, "--tasks", "2")
-    assert search(parts, "--tasks", "6") == 2  # the run is there
-    search(parts, "--tasks", "6", "--resume")
-    search(many, "--tasks", "6", "--jobs", "2")
+    assert search(whole, "--tasks", "4") == 1
+    search(parts, "--tasks", "1")
+    assert search(parts, "--tasks", "4") == 2  # the run is there
+    search(parts, "--tasks", "4", "--resume")
+    search(many, "--tasks", "4", "--jobs", "2")
     assert rows(whole) == rows(parts) == rows(many)
     assert finds(whole) == finds(many) and all(find[3] for find in finds(whole))
 
@@ -178,15 +183,18 @@ def test_what_a_verify_run_saw_stands_in_the_ledger(tmp_path: Path, inputs: Path
           "--store", store, "--quiet"])
     assert main(["claims", "repaired.degradation", "--store", store]) == 0
     assert "in store    holds on 6 instances (repaired, nonproper), worst " in capsys.readouterr().out
-    assert main(["claims", "--store", store]) == 0
-    table = capsys.readouterr().out.splitlines()
-    assert table[0].endswith("in the store")
-    assert any("refuted: fails on 2 of 5 inputs" in line and "holds on 6 instances" in line for line in table)
-    assert main(["claims", "--store", store, "--json"]) == 0
-    claims = {claim["id"]: claim for claim in json.loads(capsys.readouterr().out)["claims"]}
-    [evidence] = claims["repaired.degradation"]["evidence"]
-    assert evidence["instances"] == 6 and evidence["worst"]["exact"] and evidence["witness"]["input"].endswith("wkt")
-    assert len(claims["theorem-1.degradation"]["evidence"]) == 2 and "evidence" not in claims["lemma-1.degradation"]
+    assert main(["claims", "theorem-1.degradation", "--store", store, "--json"]) == 0
+    [claim] = json.loads(capsys.readouterr().out)["claims"]
+    by_paper, by_us = claim["evidence"]
+    assert by_paper["status"].startswith("refuted: fails on 2 of 5 inputs") and by_paper["not_for"] == 1
+    assert by_us["instances"] == 6 and by_us["worst"]["exact"] and by_us["witness"]["input"].endswith("wkt")
+    # The whole table has one more column.
+    with Store(store) as opened:
+        lines = {name: evidence_lines(evidence_in(opened), name) for name in ("theorem-1.degradation", "lemma-2.x")}
+    entries = ledger(claim for claim in CLAIMS if claim.id.startswith("theorem-1.d"))
+    head, row = ledger_text(entries, lines).splitlines()
+    assert head.endswith("in the store") and "holds on 6 instances (repaired, nonproper), worst " in row
+    assert not lines["lemma-2.x"] and "in the store" not in ledger_text(entries)
     assert main(["claims", "--store", str(tmp_path / "none")]) == 2
 
 
@@ -204,6 +212,22 @@ def test_files_that_violate_a_claim_are_shrunk_and_stored_once(tmp_path: Path, i
     assert main([*arguments[:-1], str(tmp_path / "unshrunk.db")]) == 1
     with Store(str(tmp_path / "unshrunk.db")) as opened:
         assert {len(json.loads(find["figure"])) for find in opened.finds()} == {5}
+
+
+@pytest.mark.parametrize("engine", [Serial(), Processes(2)])
+def test_what_is_at_work_when_time_is_up_is_waited_for(tmp_path: Path, engine: Serial | Processes) -> None:
+    with Store(str(tmp_path / "s.db")) as store:
+        run = store.open_run(SPEC.to_json(), "1", "c", False)
+        handed: list[str] = []
+
+        def tasks() -> Iterator[Task]:
+            for task in search_tasks(SPEC):
+                handed.append(task.key)
+                yield task
+
+        assert run_tasks(store, run, SPEC, tasks(), engine, time.monotonic() + 0.2, lambda line: None) > 0
+        assert {row["task"] for row in store.results(run)} == set(handed[: len(list(store.results(run)))])
+        assert len(handed) - len(list(store.results(run))) <= 1  # one that was taken as time ran out
 
 
 def test_totals_and_tasks_of_nothing(tmp_path: Path) -> None:
