@@ -153,7 +153,7 @@ class ClaimList {
     const failing = claims.filter(claim => !claim.holds);
     this.summary.textContent = claims.length === 0 ? "no claims: give a report, or the input"
       : `${claims.length - failing.length} of ${claims.length} hold` + (failing.length ? `, ${failing.length} FAIL` : "");
-    this.summary.dataset.state = failing.length ? "fails" : "holds";
+    this.summary.dataset.state = failing.length ? "fails" : claims.length ? "holds" : "none";
     const shown = this.filter?.checked ? failing : [...failing, ...claims.filter(claim => claim.holds)];
     this.list.replaceChildren(...shown.map(claim => make("li", {}, this.#button(claim))));
   }
