@@ -135,7 +135,9 @@ def column_of(values: Sequence[mpq]) -> Balls:
     column = ball_of(*values)
     if len(column):
         low, high = column.mid.min(), column.mid.max()
-        if not np.isfinite(high - low) or max(abs(low), abs(high)) > _FAR * (high - low):
+        with np.errstate(all="ignore"):  # beyond the range of floats the difference is no number
+            reach = high - low
+        if not np.isfinite(reach) or max(abs(low), abs(high)) > _FAR * reach:
             centre = (min(values) + max(values)) / 2
             whole = mpq(centre.numerator // centre.denominator)
             return ball_of(*(value - whole for value in values))
