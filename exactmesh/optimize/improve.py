@@ -20,6 +20,7 @@ Reason = Literal["target", "no move helps", "effort", "time", "interrupted"]
 _MARGIN = 1e-9
 # Gains below this, relatively, are not worth a step; nor below this share of what is left to the goal.
 _GAIN, _SHARE = 2e-3, 0.25
+_WORTHWHILE = 1.01
 # Rings of faces around the worst one that are improved when it cannot be, and how often.
 _RINGS = (2, 4, 6)
 _PASSES = 4
@@ -28,8 +29,8 @@ _THINNINGS = 4
 
 @dataclass(frozen=True, slots=True)
 class Effort:
-    """When to give up: after so many `tries`, or when in the last `patience` tries the mfs rose by less than 1%, or
-    when `is_late()`."""
+    """When to give up: after so many `tries`; or after `patience` tries that changed their face by less than 1% or not
+    at all, while the mfs rose by less than 1%; or when `is_late()`."""
 
     tries: float
     patience: float
@@ -49,7 +50,8 @@ class Improver:
         self._cap = sqrt(float(goal)) * (1 + _MARGIN)
         # Faces that no move improved since something changed around them.
         self._stuck: set[int] = set()
-        self._mark: tuple[int, float] = 0, 0.0
+        self._wasted = 0
+        self._reached = 0.0
 
     def run(self) -> Reason:
         """Improve the worst face until the goal is reached, or no move helps, or the effort is spent."""
@@ -67,11 +69,9 @@ class Improver:
         if self._effort.is_late():
             return "time"
         height = sqrt(float(self.faces.feature[self.faces.worst()]))
-        at, before = self._mark
-        if height > 1.01 * before:
-            self._mark = self.tries, height
-            return None
-        return "effort" if self.tries - at > self._effort.patience or self.tries > self._effort.tries else None
+        if height > _WORTHWHILE * self._reached:
+            self._wasted, self._reached = 0, height
+        return "effort" if self._wasted > self._effort.patience or self.tries > self._effort.tries else None
 
     def _improve(self, face: int) -> bool:
         """Change a face for the better, by the best proposal that is accepted; return whether there is one."""
@@ -79,6 +79,7 @@ class Improver:
             return False
         faces = self.faces
         self.tries += 1
+        self._wasted += 1
         if not self.tries % 64:
             self._progress(f"optimisation: {self.tries} places tried, {faces.steps} steps")
         height = sqrt(float(faces.feature[face]))
@@ -89,15 +90,17 @@ class Improver:
             if proposal.value < self._cap:
                 refused.append(proposal)
             elif made := faces.replace(proposal.old, proposal.new, proposal.centre):
-                return self._changed(made)
+                return self._changed(made, height)
         for proposal in sorted(refused, key=lambda proposal: -proposal.value):
             if made := faces.replace(proposal.old, proposal.new, proposal.centre):
-                return self._changed(made)
+                return self._changed(made, height)
         self._stuck.add(face)
         return False
 
-    def _changed(self, made: list[int]) -> bool:
+    def _changed(self, made: list[int], before: float) -> bool:
         faces = self.faces
+        if sqrt(float(min(faces.feature[face] for face in made))) > _WORTHWHILE * before:
+            self._wasted -= 1
         for v in {v for face in made for v in faces.cycle[face]}:
             self._stuck -= faces.around[v]
         return True

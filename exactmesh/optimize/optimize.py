@@ -104,8 +104,8 @@ class _Work:
         count = len(subdivision.pslg.vertices)
         self.has_time = time_limit is not None
         end = inf if time_limit is None else monotonic() + time_limit
-        self.effort = Effort(300 + 10 * count if time_limit is None else inf,
-                             100 + count if time_limit is None else inf, lambda: monotonic() > end)
+        self.effort = Effort(300 + 4 * count if time_limit is None else inf,
+                             100 + count / 8 if time_limit is None else inf, lambda: monotonic() > end)
         self.candidates: list[Candidate] = []
         self.start: Start = "constrained Delaunay"
 
