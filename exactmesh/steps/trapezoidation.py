@@ -21,8 +21,6 @@ from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
 
-_HALF = mpq(1, 2)
-
 
 class _Open(NamedTuple):
     """A trapezoid that goes on upwards."""
@@ -83,59 +81,82 @@ class _Sweep:
         """Move the sweep line over one level, which carries the vertices `row` from left to right."""
         self.height = self.offset.points[row[0]].y
         places = [self.filter.place(self.status, v, level) for v in row]
-        touched = self._touched(row, places)
+        starting = [self.filter.from_the_left(self.starting[v]) for v in row]
+        below, going_on = self._touched(row, places, starting, level)
         ends: dict[int, int] = {}
-        for left in touched:
-            self._close(left, level, row, ends)
-        self._replace(row, places)
-        going_on = [e for e in touched if self.level[self.upper[e]] > level]
-        begun = [e for v in row for e in self.starting[v] if self.is_left[e]]
-        for left in going_on + begun:
-            self._open(left, level, row, ends)
+        for left, inner in below.items():
+            self._close(left, level, inner, ends)
+        self._replace(row, places, starting)
+        above, begun = self._inner_above(row, places, starting)
+        for left, place in (going_on | begun).items():
+            self._open(left, self.status[place + 1], level, above.get(left, []), ends)
 
-    def _touched(self, row: list[int], places: list[int]) -> list[int]:
-        """Return the left legs of the open trapezoids that a vertex of the row lies on, each once."""
-        touched: dict[int, None] = {}
+    def _touched(self, row: list[int], places: list[int], starting: Sequence[Sequence[int]], level: int
+                 ) -> tuple[dict[int, list[int]], dict[int, int]]:
+        """Return the left legs of the open trapezoids that a vertex of the row lies on, with the vertices strictly
+        between the legs; and those of the legs that go on upwards, with their places in the status to be."""
         status, is_left = self.status, self.is_left
-        for v, at in zip(row, places, strict=True):
-            if self.ending[v]:
-                for place in range(at, at + len(self.ending[v])):
-                    touched[status[place] if is_left[status[place]] else status[place - 1]] = None
-            elif at and is_left[status[at - 1]]:
-                touched[status[at - 1]] = None
-        return list(touched)
+        touched: dict[int, list[int]] = {}
+        going_on: dict[int, int] = {}
+        moved = 0
+        for v, at, edges in zip(row, places, starting, strict=True):
+            ending = len(self.ending[v])
+            for place in range(at, at + ending):
+                left = status[place] if is_left[status[place]] else status[place - 1]
+                touched.setdefault(left, [])
+            if at and is_left[status[at - 1]]:
+                left = status[at - 1]
+                inner = touched.setdefault(left, [])
+                if not ending:
+                    inner.append(v)
+                if left not in going_on and self.level[self.upper[left]] > level:
+                    going_on[left] = at - 1 + moved
+            moved += len(edges) - ending
+        return touched, {left: going_on[left] for left in touched if left in going_on}
 
-    def _replace(self, row: list[int], places: list[int]) -> None:
+    def _replace(self, row: list[int], places: list[int], starting: Sequence[Sequence[int]]) -> None:
         """Put the edges that start at the vertices of the row in place of those that end there."""
         status = self.status
         if len(row) < _MANY:
-            for v, at in zip(reversed(row), reversed(places), strict=True):
-                status[at : at + len(self.ending[v])] = self.filter.from_the_left(self.starting[v])
+            for v, at, edges in zip(reversed(row), reversed(places), reversed(starting), strict=True):
+                status[at : at + len(self.ending[v])] = edges
             return
         merged: list[int] = []
         end = 0
-        for v, at in zip(row, places, strict=True):
+        for v, at, edges in zip(row, places, starting, strict=True):
             merged += status[end:at]
-            merged += self.filter.from_the_left(self.starting[v])
+            merged += edges
             end = at + len(self.ending[v])
         self.status = merged + status[end:]
 
-    def _close(self, left: int, level: int, row: list[int], ends: dict[int, int]) -> None:
+    def _inner_above(self, row: list[int], places: list[int], starting: Sequence[Sequence[int]]
+                     ) -> tuple[dict[int, list[int]], dict[int, int]]:
+        """Return the vertices of the row strictly between two legs above, by the left leg; and the left legs that
+        begin at the row, with their places in the status."""
+        above: dict[int, list[int]] = defaultdict(list)
+        begun: dict[int, int] = {}
+        moved = 0
+        for v, at, edges in zip(row, places, starting, strict=True):
+            for e in self.starting[v]:
+                if self.is_left[e]:
+                    begun[e] = at + moved + edges.index(e)
+            if not edges and at + moved and self.is_left[self.status[at + moved - 1]]:
+                above[self.status[at + moved - 1]].append(v)
+            moved += len(edges) - len(self.ending[v])
+        return above, begun
+
+    def _close(self, left: int, level: int, inner: list[int], ends: dict[int, int]) -> None:
         begun = self.open.pop(left)
         tl, tr = self._leg_at(left, level, ends), self._leg_at(begun.right, level, ends)
         self.trapezoids.append(Trapezoid(begun.low, level, left, begun.right, begun.bl, begun.br, tr, tl,
-                                         begun.bottom, self._between(left, begun.right, level, row)))
+                                         begun.bottom, self._named(inner)))
 
-    def _open(self, left: int, level: int, row: list[int], ends: dict[int, int]) -> None:
-        right = self.status[self.filter.index(self.status, left, level) + 1]
+    def _open(self, left: int, right: int, level: int, inner: list[int], ends: dict[int, int]) -> None:
         bl, br = self._leg_at(left, level, ends), self._leg_at(right, level, ends)
-        self.open[left] = _Open(level, right, bl, br, self._between(left, right, level, row))
+        self.open[left] = _Open(level, right, bl, br, self._named(inner))
 
-    def _between(self, left: int, right: int, level: int, row: list[int]) -> Cycle:
-        """Return the vertices of the row strictly between two legs."""
-        start = self.filter.count_before(row, left, level, with_equal=True)
-        end = self.filter.count_before(row, right, level, with_equal=False)
-        return tuple([self.offset.first + v for v in row[start:end]])
+    def _named(self, inner: list[int]) -> Cycle:
+        return tuple([self.offset.first + v for v in inner])
 
     def _leg_at(self, e: int, level: int, ends: dict[int, int]) -> int:
         """Return the vertex at which edge e meets the level; a new chord end when e has no vertex there."""
@@ -149,7 +170,7 @@ class _Sweep:
         return ends[e]
 
 
-# Numbers of levels up to this are exact in floats, halves included.
+# Numbers of levels up to this are exact in floats.
 _FEW = 1 << 50
 # With so many vertices on a level the status is made anew rather than changed in so many places.
 _MANY = 16
@@ -181,7 +202,7 @@ class _Filter:
         """Return the number of levels from the lowest one, exactly; where that is too much for floats, anything."""
         return float(level - self.base) if self.error < inf else 0.0
 
-    def x_at(self, e: int, level: int | mpq) -> mpq:
+    def x_at(self, e: int, level: int) -> mpq:
         """Return the abscissa of edge e at a level."""
         a, b = self.lower[e], self.upper[e]
         x, low = self.x[a], self.level[a]
@@ -205,49 +226,6 @@ class _Filter:
                 end = middle
             else:
                 start = middle + 1
-        return start
-
-    def index(self, status: Sequence[int], wanted: int, level: int) -> int:
-        """Return the place of an edge in the status; all edges there go on above the level."""
-        lower, xs, heights, slope, error = self.lower, self.rounded, self.height, self.slope, self.error
-        # Half a level higher no two edges meet.
-        height = self._height(level) + 0.5
-        x = xs[lower[wanted]] + slope[wanted] * (height - heights[lower[wanted]])
-        start, end = 0, len(status)
-        while True:
-            middle = (start + end) >> 1
-            e = status[middle]
-            if e == wanted:
-                return middle
-            self.asked += 1
-            off = xs[lower[e]] + slope[e] * (height - heights[lower[e]]) - x
-            if off < -error or (off <= error and self._is_exactly(
-                    self.x_at(e, level + _HALF) < self.x_at(wanted, level + _HALF))):
-                start = middle + 1
-            else:
-                end = middle
-
-    def count_before(self, row: Sequence[int], e: int, level: int, with_equal: bool) -> int:
-        """Return how many vertices of a row on the level are left of edge e, or also those on it."""
-        a, b, xs, error = self.lower[e], self.upper[e], self.rounded, self.error
-        x = xs[a] + self.slope[e] * (self._height(level) - self.height[a])
-        start, end = 0, len(row)
-        while start < end:
-            middle = (start + end) >> 1
-            v = row[middle]
-            self.asked += 1
-            off = xs[v] - x
-            if v in (a, b):
-                is_before = with_equal
-            elif abs(off) > error:
-                is_before = off < 0
-            else:
-                exact = self.x_at(e, level)
-                is_before = self._is_exactly(self.x[v] <= exact if with_equal else self.x[v] < exact)
-            if is_before:
-                start = middle + 1
-            else:
-                end = middle
         return start
 
     def from_the_left(self, edges: Sequence[int]) -> Sequence[int]:

@@ -1,6 +1,7 @@
 """Sizes of numbers: linear in those of the input whatever its length, and refused when they are not."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import families
 import pytest
@@ -30,11 +31,12 @@ def test_the_length_of_the_input_does_not_matter():
     assert bits[1].denominator < 2 * bits[0].denominator
 
 
-@pytest.mark.parametrize("part, slope", [("offset", 8), ("chords", 17), ("interior", 800), ("tube", 320)])
-def test_the_bounds_are_linear(part, slope):
-    short, middle, long = (getattr(limits(Bits(n, n)), part) for n in (1000, 2000, 3000))
-    for at in (0, 1):
-        assert middle[at] - short[at] == long[at] - middle[at] <= slope * 1000
+@pytest.mark.parametrize("part, slope, more", [
+    ("offset", 8, 27), ("chords", 17, 59), ("interior", 795, 2789), ("tube", 311, 1073)])
+def test_the_bounds_are_linear_and_as_the_documents_say(part, slope, more):
+    for b in (1, 36, 1000):
+        assert max(getattr(limits(Bits(b, b)), part)) == slope * b + more
+    assert f"{slope} b + {more}" in (Path(__file__).parents[2] / "docs" / "construction.md").read_text("utf-8")
 
 
 def test_bits_are_those_of_the_longest_coordinate():
