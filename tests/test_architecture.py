@@ -102,8 +102,9 @@ def test_only_the_command_line_imports_the_package_itself() -> None:
 
 def test_there_is_no_cycle() -> None:
     done: set[str] = set()
-    left = dict(IMPORTS)
-    del left["exactmesh.__init__"], left["exactmesh.cli"], left["exactmesh.__main__"]
+    # The package itself is imported for its version only, by the parser.
+    left = {module: set(names) - {"exactmesh.__init__"} for module, names in IMPORTS.items()}
+    del left["exactmesh.__init__"]
     while left:
         ready = {module for module, names in left.items() if done.issuperset(names)}
         assert ready, f"a cycle among {sorted(left)}"
