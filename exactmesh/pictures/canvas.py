@@ -145,7 +145,7 @@ class Canvas:
     def distance(self, p: Point, q: Point, text: str, name: str = "witness", colour: str = RED) -> None:
         """Draw a segment with a text; a short one is circled as well."""
         chain = self.view.segment(p, q)
-        if not chain or self.view.misses(chain):
+        if not chain:
             return
         self.layers.append(Lines(name, (chain,), colour, 2.6))
         (px, py), (qx, qy) = chain

@@ -77,10 +77,10 @@ class View:
     def polygon(self, corners: Sequence[Point]) -> tuple[Place, ...]:
         """Return a polygon's places, less what is far outside of a window; nothing when all of it is."""
         places = tuple(map(self.place, corners))
-        if not self.is_part or self._is_near(places):
-            return places
         if self.misses(places):
             return ()
+        if not self.is_part or self._is_near(places):
+            return places
         box = self._far_box()
         cut = list(corners)
         for depth in _SIDES:
@@ -90,10 +90,10 @@ class View:
     def segment(self, a: Point, b: Point) -> tuple[Place, ...]:
         """Return a segment's places, less what is far outside of a window; nothing when all of it is."""
         places = (self.place(a), self.place(b))
-        if not self.is_part or self._is_near(places):
-            return places
         if self.misses(places):
             return ()
+        if not self.is_part or self._is_near(places):
+            return places
         box = self._far_box()
         first, last = mpq(0), mpq(1)
         for depth in _SIDES:

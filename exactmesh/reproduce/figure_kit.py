@@ -156,5 +156,5 @@ def _worst(record: Claim, verdict: Verdict) -> str:
     worst, found = shown["worst"], shown["witness"]
     clause = found["clause"] if isinstance(found, dict) else ""
     if not isinstance(worst, dict):
-        return f"Here fails: {clause}."
-    return f"Here the worst is {worst['decimal']}, where is asked: {clause}."
+        return f"What fails here: {clause}."
+    return f"The worst value here is {worst['decimal']}; asked for: {clause}."
