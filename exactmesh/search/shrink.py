@@ -38,7 +38,8 @@ def shrink(figure: Figure, has: Property, budget: int = 300) -> Figure:
                 break
             if budget <= 0:
                 break
-    return next((image for image in sorted(set(images_of(best)), key=complexity) if image == best or has(image)), best)
+    images = sorted(set(images_of(best)), key=lambda image: (image.points, image.edges, image.holes))
+    return next((image for image in images if image == best or has(image)), best)
 
 
 def _smaller(figure: Figure) -> Iterator[Figure]:
