@@ -66,8 +66,9 @@ LEFT_OUT = (
     "tests/proofs/test_certificates.py::test_the_checker_is_small_and_needs_no_solver",
 )
 # conftest.py of the copy. mutmut runs pytest many times in one process, so nothing may be left in a cache from before
-# the mutation, and Hypothesis must not take offence at being called again. Quick tests go first, and what is there when
-# a session begins is kept from the garbage collector, which would take longer than the tests.
+# the mutation, nor from another test, or mutmut would not see what a test calls; and Hypothesis must not take offence
+# at being called again. Quick tests go first, and what is there when a session begins is kept from the garbage
+# collector, which would take longer than the tests.
 CONFTEST = """
 import gc
 import json
@@ -82,12 +83,17 @@ settings.load_profile("mutation")
 
 
 def pytest_sessionstart():
-    for name, module in list(sys.modules.items()):
-        if name.partition(".")[0] == "exactmesh":
-            for value in list(vars(module).values()):
-                if hasattr(value, "cache_clear"):
-                    value.cache_clear()
     gc.freeze()
+
+
+def pytest_collection_finish(session):
+    session.caches = [value for name, module in list(sys.modules.items()) if name.partition(".")[0] == "exactmesh"
+                      for value in list(vars(module).values()) if hasattr(value, "cache_clear")]
+
+
+def pytest_runtest_setup(item):
+    for cached in item.session.caches:
+        cached.cache_clear()
 
 
 def pytest_collection_modifyitems(items):
