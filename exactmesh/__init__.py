@@ -11,7 +11,7 @@ import importlib
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from exactmesh.api import Meshing, ifs, mesh, mfs, plot, read, verify
+    from exactmesh.api import Meshing, ifs, mesh, mfs, optimized, plot, read, verify
     from exactmesh.errors import ConstructionFailed, FormatError, GeometryError, InputError
     from exactmesh.geometry.point import Point
     from exactmesh.measure.mfs import Nearest
@@ -24,14 +24,14 @@ __version__ = "0.1.0"
 
 __all__ = [
     "ConstructionFailed", "FormatError", "GeometryError", "InputError", "Mesh", "Meshing", "Nearest", "Point", "Pslg",
-    "Verdict", "Verification", "Violation", "Witness", "__version__", "ifs", "mesh", "mfs", "plot", "polygon", "read",
-    "verify",
+    "Verdict", "Verification", "Violation", "Witness", "__version__", "ifs", "mesh", "mfs", "optimized", "plot",
+    "polygon", "read", "verify",
 ]
 
 # Where each name is found. They are imported when they are first used: a command needs few of them. Inputs and meshes
 # come by way of the functions, which teach them to be drawn in notebooks.
 _HOMES = {
-    "api": ("Mesh", "Meshing", "Pslg", "ifs", "mesh", "mfs", "plot", "polygon", "read", "verify"),
+    "api": ("Mesh", "Meshing", "Pslg", "ifs", "mesh", "mfs", "optimized", "plot", "polygon", "read", "verify"),
     "errors": ("ConstructionFailed", "FormatError", "GeometryError", "InputError"),
     "geometry.point": ("Point",), "measure.mfs": ("Nearest",), "measure.validity": ("Verification", "Violation"),
     "measure.verdict": ("Verdict", "Witness"),

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from gmpy2 import mpq
+
 from exactmesh.claims.claim import Judgement
 from exactmesh.claims.ledger import judge
 from exactmesh.claims.run import ConstructionName, Run, construction_for
@@ -12,6 +14,7 @@ from exactmesh.measure.ifs import internal_feature_size
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
 from exactmesh.numbers.rational import sqrt_text
+from exactmesh.optimize.optimize import Optimized, optimize
 from exactmesh.pictures import plot as pictures
 from exactmesh.planar.faces import domain_of, subdivide
 from exactmesh.planar.mesh import Kind, Mesh
@@ -23,7 +26,8 @@ if TYPE_CHECKING:
 Progress = Callable[[str], None]
 pictures.attach(Pslg, Mesh)
 
-__all__ = ["Mesh", "Meshing", "Pslg", "ifs", "mesh", "meshing_of", "mfs", "plot", "polygon", "read", "verify"]
+__all__ = ["Mesh", "Meshing", "Pslg", "ifs", "mesh", "meshing_of", "mfs", "optimized", "plot", "polygon", "read",
+           "verify"]
 
 
 def _silent(step: str) -> None:
@@ -106,6 +110,17 @@ def mesh(pslg: Pslg, construction: ConstructionName | None = None, kind: Kind = 
 def meshing_of(run: Run) -> Meshing:
     """Return the mesh of a run with the verdicts on all claims that concern it; raises what `mesh` raises."""
     return Meshing(run.mesh, tuple(judge(run)), run.verification, run)
+
+
+def optimized(pslg: Pslg, kind: Kind = "nonproper", target: mpq | int = 1, time_limit: float | None = None,
+              progress: Progress = _silent) -> Optimized:
+    """Return a mesh of `pslg` of small degradation, improved locally; never worse than `mesh` of that kind.
+
+    No vertex is put on an edge of the input. It ends at degradation `target`, at a local optimum, or after an effort
+    linear in the input; with a `time_limit` in seconds when the time is up; or at a `KeyboardInterrupt`, with the best
+    mesh so far. Raises `InputError` for kinds other than "nonproper" and "proper", and as `mesh` does.
+    """
+    return optimize(domain_of(pslg), kind, target, time_limit, progress)
 
 
 def verify(pslg: Pslg, mesh: Mesh) -> Verification:

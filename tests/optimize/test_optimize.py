@@ -13,6 +13,7 @@ from gmpy2 import mpq
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+import exactmesh
 from exactmesh import check
 from exactmesh.certificate.files import certificate_text
 from exactmesh.classic import classic_mesh
@@ -277,6 +278,13 @@ def test_what_cannot_be_asked_for_is_refused() -> None:
             optimize(subdivision, kind=kind)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="below 1"):
         optimize(subdivision, target=mpq(99, 100))
+
+
+def test_it_is_a_function_of_the_package() -> None:
+    made = exactmesh.optimized(families.comb(5), "proper", target=3)
+    assert made.reason == "target" and made.verification == exactmesh.verify(families.comb(5), made.mesh)
+    with pytest.raises(InputError, match="enclose nothing"):
+        exactmesh.optimized(Pslg(families.comb(1).vertices, ()))
 
 
 def test_the_same_input_gives_the_same_mesh() -> None:
