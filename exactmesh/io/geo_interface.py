@@ -55,7 +55,7 @@ def pslg_from_wkb(data: bytes) -> Pslg:
     shapely = library("shapely", "formats")
     try:
         geometry = shapely.from_wkb(data)
-    except (shapely.errors.ShapelyError, TypeError, ValueError) as error:
+    except (shapely.errors.ShapelyError, TypeError, ValueError, NotImplementedError) as error:
         raise FormatError("", f"this is not WKB: {quoted(str(error).strip())}") from None
     if geometry is None or geometry.is_empty:
         raise FormatError("", "an empty geometry has no place in a PSLG")

@@ -18,6 +18,7 @@ FOUND: dict[str, tuple[str, str | bytes]] = {
         "dxf", "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n1e309\n70\n1\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n"),
     "seed 1, wkb 6468: the refusal ended with a line feed": (
         "wkb", b"\x01\x02\0\0\0\x01\0\0\0" + bytes(16)),
+    "seed 4, wkb 5166: a curve was a NotImplementedError": ("wkb", b"\x01\x09" + bytes(8) + b"1"),
     "by reading the code: the short cut for written files went too deep": (
         "pslg", '{"format": "exactmesh-pslg/1", "vertices": [["0", "0"], ["1", "0"]], "edges": ['
         + "[" * 10**5 + "0, 1" + "]" * 10**5 + "]}"),
