@@ -19,6 +19,7 @@ from exactmesh.io.mesh_json import json_from_mesh
 from exactmesh.io.pslg_json import json_from_pslg
 from exactmesh.paper import paper_options
 from exactmesh.pictures.draw import svg_from_mesh
+from exactmesh.pictures.steps import makers_of
 from exactmesh.planar.mesh import KINDS
 from exactmesh.progress import Progress
 
@@ -88,7 +89,9 @@ def _run(args: argparse.Namespace) -> int:
             name = "optimized" if args.optimize else construction
             write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, name))
         if args.svg:
-            write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification))
+            # Vertices of an optimised mesh are not those of the construction's steps.
+            makers = None if args.optimize else makers_of(run)
+            write_text(args.svg, svg_from_mesh(source.pslg, result.mesh, result.verification, makers))
         if args.pslg:
             write_text(args.pslg, pslg_data.decode())
         if args.certificate and result.verification.valid:

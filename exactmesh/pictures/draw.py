@@ -112,9 +112,10 @@ def picture_of_run(run: Run, step: str = "mesh", view: View | None = None) -> Sc
     return Scene(f"{name + ', ' if name else ''}{panel.title}", ((replace(panel, title=""),),))
 
 
-def svg_from_mesh(pslg: Pslg, mesh: Mesh, verification: Verification) -> str:
+def svg_from_mesh(pslg: Pslg, mesh: Mesh, verification: Verification, makers: dict[Maker, range] | None = None
+                  ) -> str:
     """Return `picture_of_mesh` as SVG."""
-    return svg_text(picture_of_mesh(pslg, mesh, verification))
+    return svg_text(picture_of_mesh(pslg, mesh, verification, makers))
 
 
 def _close(points: Sequence[Point], nearest: Nearest) -> View:

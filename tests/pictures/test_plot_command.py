@@ -108,6 +108,17 @@ def test_a_mesh_that_is_not_quite_one_shows_its_nearest_pair(files: Files) -> No
     assert count(root, "witness") >= 1 and ", not valid" in texts(root, "heading")[0]
 
 
+@pytest.mark.parametrize("words, made", [((), {"offset", "chord", "interior"}), (("--optimize",), {"steiner"}),
+                                         (("--kind", "classic"), set())])
+def test_the_command_mesh_draws_too(files: Files, words: tuple[str, ...], made: set[str]) -> None:
+    out = files.folder / "mesh.svg"
+    assert cli.main(["mesh", files.room, "--svg", str(out), "--quiet", *words]) == 0
+    whole = panels(root_of(out.read_text()))[0]
+    assert count(whole, "given") == 7
+    assert {name for name in ("offset", "chord", "interior", "tube", "steiner") if count(whole, name)} <= made
+    assert made <= {"steiner"} or count(whole, "offset")
+
+
 def test_a_window_holds_what_is_in_it(files: Files) -> None:
     root = drawn(files, files.room, "--step", "mesh", "--window=-1/2,-1/2,1,1")
     assert count(root, "given") == 1 and 0 < count(root, "offset") < 10
