@@ -74,12 +74,6 @@ class Canvas:
             self.layers.append(Lines(name, chains, stroke, width, dash))
             self._key("dashes" if dash else "line", stroke, key)
 
-    def chain(self, name: str, points: Sequence[Point], stroke: str, width: float, dash: tuple[float, ...] = (),
-              key: str = "") -> None:
-        """Draw an open polygon in one piece, not cut off: it must not reach far out of the panel."""
-        self.layers.append(Lines(name, (tuple(self.view.places(points)),), stroke, width, dash))
-        self._key("dashes" if dash else "line", stroke, key)
-
     def areas(self, name: str, polygons: Iterable[Sequence[Point]], fill: str, stroke: str = "none",
               width: float = 0.0, key: str = "") -> None:
         """Draw convex polygons."""
