@@ -7,8 +7,8 @@ from exactmesh.numbers.rational import decimal_text, sqrt_text, text_from_ration
 
 
 def exact_text(value: mpq | Real) -> str:
-    """Return an exact expression that Python and SymPy read."""
-    return value.expression() if isinstance(value, Real) else text_from_rational(value)
+    """Return an exact expression that Python and SymPy read: both types are written so by `str`."""
+    return str(value)
 
 
 def number_text(value: mpq | Real, digits: int = 12) -> str:
@@ -36,6 +36,5 @@ def root_text(squared: mpq | Real, digits: int = 12) -> str:
     """Return the square root of `squared` >= 0 as a decimal for reading."""
     if isinstance(squared, Real):
         # Rounded twice, the second time far below the digits shown: this is for reading only.
-        low, _ = squared.enclosure(8 * digits) if squared else (mpq(0), mpq(0))
-        squared = low
+        squared, _ = squared.enclosure(8 * digits)
     return sqrt_text(squared, digits)

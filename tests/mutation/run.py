@@ -101,7 +101,7 @@ def pytest_collection_modifyitems(items):
         seconds = json.loads(stats.read_text())["duration_by_test"]
         items.sort(key=lambda item: seconds.get(item.nodeid, 0))
 """
-KILLED = {1, 3}  # a test failed, or pytest itself did
+KILLED = {1, 3, -6, -11}  # a test failed, or pytest or the interpreter itself did
 TIMED_OUT = {24, -24, 36, 152, 255}
 
 
