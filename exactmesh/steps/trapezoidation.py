@@ -11,6 +11,7 @@ Check   `trapezoidation_check.py`
 
 from collections import defaultdict
 from collections.abc import Sequence
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -38,8 +39,8 @@ def trapezoidate(offset: Offset) -> Trapezoidation:
 
 
 class _Sweep:
-    """`status` lists the edges that reach above the sweep line, from left to right; an edge has the number of the
-    vertex of Q it starts from. `lower[e]`, `upper[e]` are its ends by level, as vertices of Q."""
+    """`status` has the edges that reach above the sweep line, from left to right; an edge has the number of the vertex
+    of Q it starts from. `lower[e]`, `upper[e]` are its ends by level, as vertices of Q."""
 
     def __init__(self, offset: Offset) -> None:
         self.offset = offset
@@ -58,7 +59,7 @@ class _Sweep:
             self.starting[self.lower[e]].append(e)
             self.ending[self.upper[e]].append(e)
         self.filter = _Filter(offset, self.lower, self.upper)
-        self.status: list[int] = []
+        self.status = _Status()
         self.open: dict[int, _Open] = {}
         self.trapezoids: list[Trapezoid] = []
         self.chord_ends: list[Point] = []
@@ -80,70 +81,51 @@ class _Sweep:
     def _pass(self, level: int, row: list[int]) -> None:
         """Move the sweep line over one level, which carries the vertices `row` from left to right."""
         self.height = self.offset.points[row[0]].y
-        places = [self.filter.place(self.status, v, level) for v in row]
-        starting = [self.filter.from_the_left(self.starting[v]) for v in row]
-        below, going_on = self._touched(row, places, starting, level)
+        found = [self._found(v, level) for v in row]
+        below, going_on = self._touched(found, level)
         ends: dict[int, int] = {}
         for left, inner in below.items():
             self._close(left, level, inner, ends)
-        self._replace(row, places, starting)
-        above, begun = self._inner_above(row, places, starting)
-        for left, place in (going_on | begun).items():
-            self._open(left, self.status[place + 1], level, above.get(left, []), ends)
-
-    def _touched(self, row: list[int], places: list[int], starting: Sequence[Sequence[int]], level: int
-                 ) -> tuple[dict[int, list[int]], dict[int, int]]:
-        """Return the left legs of the open trapezoids that a vertex of the row lies on, with the vertices strictly
-        between the legs; and those of the legs that go on upwards, with their places in the status to be."""
-        status, is_left = self.status, self.is_left
-        touched: dict[int, list[int]] = {}
-        going_on: dict[int, int] = {}
-        moved = 0
-        for v, at, edges in zip(row, places, starting, strict=True):
-            ending = len(self.ending[v])
-            for place in range(at, at + ending):
-                left = status[place] if is_left[status[place]] else status[place - 1]
-                touched.setdefault(left, [])
-            if at and is_left[status[at - 1]]:
-                left = status[at - 1]
-                inner = touched.setdefault(left, [])
-                if not ending:
-                    inner.append(v)
-                if left not in going_on and self.level[self.upper[left]] > level:
-                    going_on[left] = at - 1 + moved
-            moved += len(edges) - ending
-        return touched, {left: going_on[left] for left in touched if left in going_on}
-
-    def _replace(self, row: list[int], places: list[int], starting: Sequence[Sequence[int]]) -> None:
-        """Put the edges that start at the vertices of the row in place of those that end there."""
-        status = self.status
-        if len(row) < _MANY:
-            for v, at, edges in zip(reversed(row), reversed(places), reversed(starting), strict=True):
-                status[at : at + len(self.ending[v])] = edges
-            return
-        merged: list[int] = []
-        end = 0
-        for v, at, edges in zip(row, places, starting, strict=True):
-            merged += status[end:at]
-            merged += edges
-            end = at + len(self.ending[v])
-        self.status = merged + status[end:]
-
-    def _inner_above(self, row: list[int], places: list[int], starting: Sequence[Sequence[int]]
-                     ) -> tuple[dict[int, list[int]], dict[int, int]]:
-        """Return the vertices of the row strictly between two legs above, by the left leg; and the left legs that
-        begin at the row, with their places in the status."""
+        beside = _beside(found)
         above: dict[int, list[int]] = defaultdict(list)
         begun: dict[int, int] = {}
-        moved = 0
-        for v, at, edges in zip(row, places, starting, strict=True):
-            for e in self.starting[v]:
+        for here, (before, after) in zip(found, beside, strict=True):
+            for e in self.starting[here.v]:
                 if self.is_left[e]:
-                    begun[e] = at + moved + edges.index(e)
-            if not edges and at + moved and self.is_left[self.status[at + moved - 1]]:
-                above[self.status[at + moved - 1]].append(v)
-            moved += len(edges) - len(self.ending[v])
-        return above, begun
+                    begun[e] = after if e == here.starting[-1] else here.starting[1]
+            if not here.starting and before >= 0 and self.is_left[before]:
+                above[before].append(here.v)
+        for left, number in going_on.items():
+            self._open(left, (*found[number].starting, beside[number][1])[0], level, above.get(left, []), ends)
+        for left, right in begun.items():
+            self._open(left, right, level, above.get(left, []), ends)
+        self.status.replace([(*here.at, len(here.ending), here.starting) for here in found])
+
+    def _found(self, v: int, level: int) -> "_Found":
+        """Return what the sweep line meets at a vertex."""
+        status, ending = self.status, self.ending[v]
+        at = block, place = status.place(self.filter, v, level)
+        if len(ending) == 2 and status.edge(block, place) != ending[0]:
+            ending = ending[::-1]
+        return _Found(v, at, status.edge(block, place - 1), ending, status.edge(block, place + len(ending)),
+                      self.filter.from_the_left(self.starting[v]))
+
+    def _touched(self, found: "list[_Found]", level: int) -> tuple[dict[int, list[int]], dict[int, int]]:
+        """Return the left legs of the open trapezoids that a vertex of the row lies on, with the vertices strictly
+        between the legs; and those of the legs that go on upwards, with the place in the row of the first vertex."""
+        touched: dict[int, list[int]] = {}
+        first: dict[int, int] = {}
+        for number, here in enumerate(found):
+            last = here.before
+            for e in here.ending:
+                touched.setdefault(e if self.is_left[e] else last, [])
+                last = e
+            if here.before >= 0 and self.is_left[here.before]:
+                inner = touched.setdefault(here.before, [])
+                if not here.ending:
+                    inner.append(here.v)
+                first.setdefault(here.before, number)
+        return touched, {left: first[left] for left in touched if self.level[self.upper[left]] > level}
 
     def _close(self, left: int, level: int, inner: list[int], ends: dict[int, int]) -> None:
         begun = self.open.pop(left)
@@ -170,10 +152,96 @@ class _Sweep:
         return ends[e]
 
 
+class _Found(NamedTuple):
+    """What the sweep line meets at vertex v: the place in the status, the edges that end and start there from left to
+    right, and the edges beside those, -1 where there is none."""
+
+    v: int
+    at: tuple[int, int]
+    before: int
+    ending: Sequence[int]
+    after: int
+    starting: Sequence[int]
+
+
+def _beside(found: Sequence[_Found]) -> list[tuple[int, int]]:
+    """Return the edges beside each vertex of a row, and beside the edges that start there, above the row."""
+    before = [here.before for here in found]
+    after = [here.after for here in found]
+    # Two vertices with no edge between them below the row see what starts at the other.
+    close = [u.ending[-1] == v.before if u.ending else u.before == v.before for u, v in pairwise(found)]
+    for i, are_close in enumerate(close):
+        if are_close:
+            before[i + 1] = found[i].starting[-1] if found[i].starting else before[i]
+    for i in range(len(close) - 1, -1, -1):
+        if close[i]:
+            after[i] = found[i + 1].starting[0] if found[i + 1].starting else after[i + 1]
+    return list(zip(before, after, strict=True))
+
+
+# Blocks of the status are halved beyond this many edges.
+_LONGEST = 512
+
+
+class _Status:
+    """Edges from left to right, in blocks, so that changes at a level move a few hundred numbers for each vertex.
+
+    A place is a block and a place in it; the end is behind the last edge of the last block. No block is empty, unless
+    it is the only one. `last` has the last edge of each block.
+    """
+
+    def __init__(self) -> None:
+        self.blocks: list[list[int]] = [[]]
+        self.last = [-1]
+
+    def place(self, floats: "_Filter", v: int, level: int) -> tuple[int, int]:
+        """Return the place of the first edge that is not left of vertex v, which is on the level."""
+        block = 0
+        if len(self.blocks) > 1:
+            block = min(floats.count_left(self.last, v, level), len(self.blocks) - 1)
+        return block, floats.count_left(self.blocks[block], v, level)
+
+    def edge(self, block: int, place: int) -> int:
+        """Return the edge at a place, which may be a little before or behind the block; -1 where there is none."""
+        while place < 0 and block:
+            block -= 1
+            place += len(self.blocks[block])
+        while block + 1 < len(self.blocks) and place >= len(self.blocks[block]):
+            place -= len(self.blocks[block])
+            block += 1
+        return self.blocks[block][place] if 0 <= place < len(self.blocks[block]) else -1
+
+    def replace(self, changes: Sequence[tuple[int, int, int, Sequence[int]]]) -> None:
+        """Put edges in place of others: changes from left to right, each a place, a number of edges and new edges."""
+        made: dict[int, list[int]] = {}
+        done: dict[int, int] = {}
+        for block, place, count, edges in changes:
+            merged = made.setdefault(block, [])
+            merged += self.blocks[block][done.get(block, 0) : place]
+            merged += edges
+            end = place + count
+            while end > len(self.blocks[block]):
+                # Edges that end here go on in the next block.
+                end -= len(self.blocks[block])
+                done[block] = len(self.blocks[block])
+                block += 1
+                made.setdefault(block, [])
+            done[block] = end
+        for block in sorted(made, reverse=True):
+            merged = made[block] + self.blocks[block][done[block] :]
+            parts = [merged]
+            if len(merged) > _LONGEST:
+                parts = [merged[i : i + _LONGEST // 2] for i in range(0, len(merged), _LONGEST // 2)]
+            elif not merged:
+                parts = []
+            self.blocks[block : block + 1] = parts
+            self.last[block : block + 1] = [part[-1] for part in parts]
+        if not self.blocks:
+            self.blocks, self.last = [[]], [-1]
+
+
 # Numbers of levels up to this are exact in floats.
 _FEW = 1 << 50
-# With so many vertices on a level the status is made anew rather than changed in so many places.
-_MANY = 16
 
 
 class _Filter:
@@ -208,8 +276,8 @@ class _Filter:
         x, low = self.x[a], self.level[a]
         return x + (self.x[b] - x) * (level - low) / (self.level[b] - low)
 
-    def place(self, status: Sequence[int], v: int, level: int) -> int:
-        """Return how many edges of the status are left of vertex v, which is on the level."""
+    def count_left(self, status: Sequence[int], v: int, level: int) -> int:
+        """Return how many of some edges of the status are left of vertex v, which is on the level."""
         lower, upper, xs, heights, slope, error = (self.lower, self.upper, self.rounded, self.height, self.slope,
                                                    self.error)
         x, height = xs[v], self._height(level)

@@ -62,7 +62,8 @@ class Leftover:
             seen = {(1, 1): dropped[i - 1], (1, -1): feet[i - 1], (-1, 1): dropped[i], (-1, -1): feet[i]}
             self.mesh.add_quad([seen[s, -t], seen[-s, -t], seen[-s, t], seen[s, t]])
         self.mesh.add_triangle(feet[-1], far, dropped[-1])
-        self.side[t] = tuple(v for v in self.side[t] if v not in dropped)
+        gone = set(dropped)
+        self.side[t] = tuple(v for v in self.side[t] if v not in gone)
         self.corner[flip] = dropped[-1]
 
     def _feet(self, dropped: list[int], near: int, far: int) -> list[int]:

@@ -11,6 +11,7 @@ import pytest
 from constructions import graph, offset_of, points_of, rings_on_levels, run
 from gmpy2 import mpq
 
+from exactmesh.steps import trapezoidation
 from exactmesh.steps.constants import LEVEL
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.trapezoidation_check import check_clearance, check_tiling, check_touch
@@ -237,3 +238,24 @@ def test_areas_add_up():
     points = points_of(q, chords)
     areas = [oracle.polygon_area([points[v] for v in (z.bl, z.br, z.tr, z.tl)]) for z in chords.trapezoids]
     assert min(areas) > 0 and sum(areas) == oracle.polygon_area(q.points)
+
+
+@pytest.mark.parametrize("longest", [2, 3, 5])
+@pytest.mark.parametrize("kind", ["growth", "star", "partition", "comb"])
+def test_the_blocks_of_the_status_do_not_matter(kind, longest, monkeypatch):
+    pslg = families.comb(40) if kind == "comb" else families.random_simple_polygon(120, 5, kind)
+    q = offset_of(pslg)
+    whole = trapezoidate(q)
+    monkeypatch.setattr(trapezoidation, "_LONGEST", longest)
+    assert trapezoidate(q) == whole
+
+
+@pytest.mark.parametrize("size", [10**20, 10**400])
+def test_levels_and_abscissae_beyond_floats_are_exact(size):
+    q = rings_on_levels([(0, 0), (9, 0), (9, size + 4), (6, size + 4), (5, size), (4, size + 4), (0, size + 4)])
+    small = rings_on_levels([(0, 0), (9, 0), (9, 8), (6, 8), (5, 4), (4, 8), (0, 8)])
+    fields = [(z.left, z.right, z.bl, z.br, z.tr, z.tl, z.bottom, z.top) for z in trapezoidate(small).trapezoids]
+    assert [(z.left, z.right, z.bl, z.br, z.tr, z.tl, z.bottom, z.top) for z in trapezoidate(q).trapezoids] == fields
+    assert check_tiling(q, trapezoidate(q), points_of(q, trapezoidate(q))).holds
+    far = rings_on_levels([(size * x, y) for x, y in ((0, 0), (9, 0), (9, 8), (6, 8), (5, 4), (4, 8), (0, 8))])
+    assert [z.top for z in trapezoidate(far).trapezoids] == [z.top for z in trapezoidate(small).trapezoids]
