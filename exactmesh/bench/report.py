@@ -42,7 +42,8 @@ def bench_text(results: Results, machine: str) -> str:
 
 
 def _sizes(rows: Sequence[Row], stages: Sequence[str]) -> str:
-    lines: list[Sequence[str]] = [("family", "n", *stages, "all, s", "memory, MiB", "verify/construct", "")]
+    last = "verify/construct" if "verify" in stages else ""
+    lines: list[Sequence[str]] = [("family", "n", *stages, "all, s", "memory, MiB", last, "")]
     for row in rows:
         if row.failure:
             lines.append((row.family, str(row.n), *("" for _ in stages), "", "", "", row.failure))

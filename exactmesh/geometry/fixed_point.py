@@ -20,7 +20,7 @@ and `2**-50 * P + 2 * error * S + 4 * error**2` leaves room for the rounding of 
 numbers are whole and every step is exact: then the sign is right as it is, 0 included.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from math import frexp
 
@@ -39,8 +39,14 @@ _BITS = 103
 _LOW = 52
 _EXACT = 2.0**53
 _RELATIVE = 2.0**-50
-# Coordinates that are converted at once: enough to be quick, few enough to be no burden.
-_CHUNK = 1 << 16
+# What is worked on at once: enough to be quick, few enough to be no burden on memory.
+_CHUNK = 1 << 15
+
+
+def stretches(count: int) -> Iterator[slice]:
+    """Yield slices that make up `count` places, so that intermediate arrays stay small."""
+    for start in range(0, count, _CHUNK):
+        yield slice(start, min(start + _CHUNK, count))
 
 
 class FixedPoints:
@@ -68,14 +74,21 @@ class FixedPoints:
 
     def orientations(self, i: Ints, j: Ints, k: Ints) -> NDArray[np.int8]:
         """Return `exactmesh.geometry.predicates.orientation` of the points i, j, k, elementwise."""
-        (ax, ay), (bx, by) = self.differences(i, j), self.differences(i, k)
-        return self._signs(ax, by, -ay, bx, (i, j, k), _turn, "orientation")
+        found = np.empty(len(i), np.int8)
+        for part in stretches(len(i)):
+            at = i[part], j[part], k[part]
+            (ax, ay), (bx, by) = self.differences(at[0], at[1]), self.differences(at[0], at[2])
+            found[part] = self._signs(ax, by, -ay, bx, at, _turn, "orientation")
+        return found
 
     def are_ahead(self, i: Ints, j: Ints, k: Ints) -> NDArray[np.bool_]:
         """Return `exactmesh.geometry.predicates.is_ahead` of the points i, j, k, elementwise."""
-        (ax, ay), (bx, by) = self.differences(i, j), self.differences(j, k)
-        result: NDArray[np.bool_] = self._signs(ax, bx, ay, by, (i, j, k), is_ahead, "ahead") > 0
-        return result
+        found = np.empty(len(i), np.bool_)
+        for part in stretches(len(i)):
+            at = i[part], j[part], k[part]
+            (ax, ay), (bx, by) = self.differences(at[0], at[1]), self.differences(at[1], at[2])
+            found[part] = self._signs(ax, bx, ay, by, at, is_ahead, "ahead") > 0
+        return found
 
     def _signs(self, a: Floats, b: Floats, c: Floats, d: Floats, at: tuple[Ints, Ints, Ints],
                exactly: Callable[[Point, Point, Point], int], what: str) -> NDArray[np.int8]:
@@ -217,11 +230,10 @@ def _split(values: Sequence[mpq], bits: int) -> tuple[Floats, Floats]:
     up, down = max(bits, 0), max(-bits, 0)
     origin = (least.numerator << up) // (least.denominator << down)
     rest = iter(values)
-    for start in range(0, len(values), _CHUNK):
-        whole = [(v.numerator << up) // (v.denominator << down) - origin for v in islice(rest, _CHUNK)]
+    for part in stretches(len(values)):
+        whole = [(v.numerator << up) // (v.denominator << down) - origin for v in islice(rest, part.stop - part.start)]
         words = np.frombuffer(b"".join([int(w).to_bytes(16, "little") for w in whole]), "<u8").reshape(-1, 2)
-        end = start + len(whole)
-        high[start:end] = ((words[:, 1] << np.uint64(64 - _LOW)) | (words[:, 0] >> np.uint64(_LOW))).astype(np.float64)
-        low[start:end] = (words[:, 0] & np.uint64(2**_LOW - 1)).astype(np.float64)
+        high[part] = ((words[:, 1] << np.uint64(64 - _LOW)) | (words[:, 0] >> np.uint64(_LOW))).astype(np.float64)
+        low[part] = (words[:, 0] & np.uint64(2**_LOW - 1)).astype(np.float64)
     high *= 2.0**_LOW
     return high, low

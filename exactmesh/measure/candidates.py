@@ -2,7 +2,7 @@
 
 A k-d tree over the vertices is walked level by level in arrays: a cell keeps the features (segments, or points as
 segments of length zero) that come within `reach` of the bounding box of its vertices, and `reach`, an upper bound of
-the answer, sinks as one vertex of each cell is compared with all features of its cell.
+the answer, sinks as one vertex of a cell is compared with all features of its cell.
 
 All arithmetic is about the points of a grid of 2**103 units that `exactmesh.geometry.fixed_point` makes of the points;
 a distance between those is off by less than 3 `error` units, and 4 of them are allowed for wherever it matters. A
@@ -32,7 +32,7 @@ from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from exactmesh.geometry.decisions import note
-from exactmesh.geometry.fixed_point import FixedPoints, Floats, Ints
+from exactmesh.geometry.fixed_point import FixedPoints, Floats, Ints, stretches
 from exactmesh.geometry.point import Point
 
 Bools = NDArray[np.bool_]
@@ -42,6 +42,7 @@ SLACK = 2.0**-44
 # Cells of at most this many vertices are compared with all their features.
 _LEAF = 4
 _ROUNDED, _REFINED, _RELATIVE = 2.0**-48, 2.0**-97, 2.0**-48
+_NOT_SMALL = 16.0
 # A rounded distance is good enough when its error is this small beside it.
 _SHARP = 2.0**-20
 # Cells with more features than this are searched for themselves once they and the reach are such a part of the extent.
@@ -94,6 +95,10 @@ class _Cells:
     low: Vectors
     high: Vectors
 
+    def extent(self) -> Floats:
+        """Return the longer sides of the boxes."""
+        return np.maximum(self.high[0] - self.low[0], self.high[1] - self.low[1])
+
 
 class _Search:
     """One problem; lengths are in units of its own grid. `found` has lower bounds of distances, vertices, features."""
@@ -120,7 +125,9 @@ class _Search:
         cells = self._cells(np.arange(count), np.array([0]), np.array([count]))
         cell, feature = np.zeros(len(self.a), np.int64), np.arange(len(self.a))
         while cells.start.size:
-            self._compare(cells.middle[cell], feature, keep=False)
+            # The reach matters where it is not small beside the cells.
+            close = (cells.extent() <= _NOT_SMALL * self.reach)[cell]
+            self._compare(cells.middle[cell[close]], feature[close], keep=False)
             crowded = self._are_crowded(cells, cell)
             done = self._zoom(cells, crowded, cell, feature)
             size = cells.end - cells.start
@@ -173,11 +180,12 @@ class _Search:
 
     def _descend(self, cells: _Cells, parent: Ints, feature: Ints) -> tuple[Ints, Ints]:
         """Hand each feature down to those of the two children of its cell that it comes near."""
-        kept = []
+        kept = [(parent[:0], feature[:0])]
         for side in (0, 1):
-            child = 2 * parent + side
-            near = self._is_near(cells, child, feature)
-            kept.append((child[near], feature[near]))
+            for part in stretches(len(feature)):
+                child = 2 * parent[part] + side
+                near = self._is_near(cells, child, feature[part])
+                kept.append((child[near], feature[part][near]))
         return np.concatenate([c for c, _ in kept]), np.concatenate([f for _, f in kept])
 
     def _is_near(self, cells: _Cells, cell: Ints, feature: Ints) -> Bools:
@@ -213,8 +221,10 @@ class _Search:
 
     def _compare(self, vertex: Ints, feature: Ints, keep: bool = True) -> None:
         """Take the distances of pairs into account; `keep` those that may be nearest."""
-        if not vertex.size:
-            return
+        for part in stretches(len(vertex)):
+            self._compare_stretch(vertex[part], feature[part], keep)
+
+    def _compare_stretch(self, vertex: Ints, feature: Ints, keep: bool) -> None:
         problem, columns = self.problem, self.columns
         free = (problem.ends[feature] != problem.label[vertex][:, None]).all(axis=1)
         vertex, feature = vertex[free], feature[free]
@@ -275,8 +285,7 @@ class _Search:
 
     def _zoom(self, cells: _Cells, crowded: Bools, cell: Ints, feature: Ints) -> Bools:
         """Search crowded cells for themselves that are tiny, with all that is near them; return which ones."""
-        extent = np.maximum(cells.high[0] - cells.low[0], cells.high[1] - cells.low[1])
-        chosen: Bools = crowded & (extent < self.tiny)
+        chosen: Bools = crowded & (cells.extent() < self.tiny)
         some = np.flatnonzero(chosen)
         inside = np.flatnonzero(chosen[cell])
         inside = inside[np.argsort(cell[inside], kind="stable")]

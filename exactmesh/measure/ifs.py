@@ -24,9 +24,11 @@ from gmpy2 import mpq
 
 from exactmesh.geometry.distance import segment_distance_squared
 from exactmesh.geometry.filtered import FilteredPoints, unit_floats
+from exactmesh.geometry.fixed_point import FixedPoints
 from exactmesh.geometry.point import Point, dot, minus
 from exactmesh.measure.candidates import SLACK
-from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared, face_witness
+from exactmesh.measure.face_feature import face_witness
+from exactmesh.measure.mesh_faces import MeshFaces
 from exactmesh.measure.mfs import Nearest
 from exactmesh.planar.cycles import Side
 from exactmesh.planar.delaunay import constrained_delaunay
@@ -79,14 +81,15 @@ def mesh_ifs(mesh: Mesh) -> Nearest | None:
     Every face is convex and everything in it is seen from its vertices, so this is the least feature size of a face:
     where faces have three vertices, the least height. Raises `ValueError` for a face that is no triangle.
     """
-    least: tuple[mpq, int] | None = None
-    for number, cycle in enumerate(mesh.faces):
-        corners = corners_of(mesh.vertices, cycle)
-        if isinstance(corners, NotTriangle):
-            raise ValueError(f"face {number} {corners.reason} at vertex {corners.vertex}")
-        feature = face_feature_squared(mesh.vertices, cycle, corners)
-        if least is None or feature < least[0]:
-            least = feature, number
+    faces = MeshFaces(FixedPoints(mesh.vertices), mesh.faces)
+    for number, refused in faces.not_triangles():
+        raise ValueError(f"face {number} {refused.reason} at vertex {refused.vertex}")
+    return mesh_ifs_of(mesh, faces)
+
+
+def mesh_ifs_of(mesh: Mesh, faces: MeshFaces) -> Nearest | None:
+    """Return `mesh_ifs` of a mesh whose faces are arranged already, and are known to be triangles."""
+    least = faces.least_feature()
     return None if least is None else face_witness(mesh.vertices, mesh.faces[least[1]])
 
 

@@ -20,7 +20,7 @@ from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from exactmesh.geometry.decisions import note
-from exactmesh.geometry.fixed_point import FixedPoints, Floats, Ints
+from exactmesh.geometry.fixed_point import FixedPoints, Floats, Ints, stretches
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
 from exactmesh.planar.cycles import Cycle
 
@@ -113,7 +113,10 @@ class MeshFaces:
         """
         if not self.cycles:
             return None
-        low, high = self._heights()
+        corners = self._corners()
+        low, high = np.empty(len(corners)), np.empty(len(corners))
+        for part in stretches(len(corners)):
+            low[part], high[part] = self._heights(corners[part])
         if len(self.vertex) > 3 * len(self.cycles):
             self._lower_by_t_vertices(low, high)
         near = np.flatnonzero(low <= high.min())
@@ -129,10 +132,10 @@ class MeshFaces:
         start, end = self.start[face : face + 2].tolist()
         return np.flatnonzero(self.turn[start:end] > 0).tolist()
 
-    def _heights(self) -> tuple[Floats, Floats]:
-        """Return bounds of the least height of each face."""
+    def _heights(self, corners: Ints) -> tuple[Floats, Floats]:
+        """Return bounds of the least height of each face with the given entries as corners."""
         columns, e = self.columns, self.columns.error
-        a, b, c = self.vertex[self._corners()].T
+        a, b, c = self.vertex[corners].T
         (abx, aby), (acx, acy), (bcx, bcy) = (columns.differences(a, b), columns.differences(a, c),
                                               columns.differences(b, c))
         area = np.abs(abx * acy - aby * acx)

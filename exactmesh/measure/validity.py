@@ -31,7 +31,7 @@ from gmpy2 import mpq
 from exactmesh.geometry.fixed_point import FixedPoints, Ints
 from exactmesh.geometry.predicates import is_ahead, orientation
 from exactmesh.measure.face_feature import face_witness
-from exactmesh.measure.ifs import internal_feature_size, mesh_ifs
+from exactmesh.measure.ifs import internal_feature_size, mesh_ifs_of
 from exactmesh.measure.mesh_faces import MeshFaces, Sides
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.planar.cycles import Side
@@ -95,7 +95,7 @@ def verify_mesh(subdivision: Subdivision, mesh: Mesh) -> Verification:
     steiner = len(mesh.vertices) - len(pslg.vertices)
     input_ifs = internal_feature_size(subdivision) if mesh.kind == "internal" and not judge.violations else None
     return Verification(mesh.kind, tuple(judge.violations), input_mfs, mesh_mfs, steiner, len(mesh.faces),
-                        input_ifs, mesh_ifs(mesh) if input_ifs is not None else None)
+                        input_ifs, mesh_ifs_of(mesh, judge.faces) if input_ifs is not None else None)
 
 
 class _Judge:
