@@ -64,20 +64,6 @@ class Faces:
                 return face
             heappop(self._heap)
 
-    def take_worst(self) -> int | None:
-        """Return `worst` and pass it over from now on, until it is put back; None when all are passed over."""
-        while self._heap:
-            feature, face = heappop(self._heap)
-            if self.feature.get(face) == feature:
-                return face
-        return None
-
-    def put_back(self, faces: Iterable[int]) -> None:
-        """Let `take_worst` find these faces again, as far as they are there."""
-        for face in faces:
-            if face in self.feature:
-                heappush(self._heap, (self.feature[face], face))
-
     def ring(self, faces: Collection[int]) -> list[int] | None:
         """Return the vertices around the union of some faces, counter-clockwise; None when that is not one walk.
 

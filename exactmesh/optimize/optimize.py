@@ -104,7 +104,7 @@ class _Work:
         count = len(subdivision.pslg.vertices)
         self.has_time = time_limit is not None
         end = inf if time_limit is None else monotonic() + time_limit
-        self.effort = Effort(300 + 4 * count if time_limit is None else inf,
+        self.effort = Effort(200 + 3 * count if time_limit is None else inf,
                              100 + count / 8 if time_limit is None else inf, lambda: monotonic() > end)
         self.candidates: list[Candidate] = []
         self.start: Start = "constrained Delaunay"
@@ -169,10 +169,9 @@ class _Work:
             improver = Improver(faces, self.goal, self.effort, self.progress)
             for _ in range(_ROUNDS):
                 reason = improver.run()
-                kept = self.kept(faces)
                 before = faces.steps
                 self.progress("optimisation: thinning out")
-                thin_out(faces, min(kept, self.goal), self.effort.is_late)
+                thin_out(faces, self.kept(faces), self.effort.is_late)
                 if reason in ("target", "time") or faces.steps == before:
                     break
         except KeyboardInterrupt:

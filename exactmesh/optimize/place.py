@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from math import hypot, sqrt
 
 Spot = tuple[float, float]
-_STEPS = 9
+_STEPS = 6
 
 
 def places(ring: Sequence[Spot], size: float) -> list[Spot]:
