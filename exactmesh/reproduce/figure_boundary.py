@@ -35,12 +35,13 @@ def figure_4_fails() -> Figure:
         a, b = near(straight.start), near(straight.end)
         canvas.note(view.place(Point((a.x + b.x) / 2, (a.y + b.y) / 2)), f"|e'| = {length.decimal(6)} mfs", RED)
     repaired = run_of(run.pslg, "repaired")
-    claim = "appendix-a.offset-edge-length"
+    claims = ("appendix-a.offset-edge-length", "appendix-a.both-angles-acute",
+              "appendix-a.next-edge-misses-quarter-circle", "appendix-a.sine")
     return parts.figure("fig-04-fails", "Figure 4, Appendix A", Scene(
         "Figure 4, companion: a triangle, where the edges of P2 are shorter than mfs/2",
         ((canvas.panel("P2", "P2 of the triangle with sides 13 : 14 : 15"),
           parts.panel(repaired, "mesh", f"repaired: left as it is, {degradation(repaired)}", view)),),
-        (parts.judged(claim, run),)), (claim,))
+        tuple(parts.judged(claim, run) for claim in claims)), claims)
 
 
 def figure_5() -> Figure:

@@ -97,14 +97,15 @@ def figure_2_fails() -> Figure:
                                   part(("-0.3", "-0.2"), ("14", "1"), _WIDE)),)]
     f1, f2 = _f1(), _f2()
     parts = Parts()
-    claim = "lemma-3.feature-size"
+    claims = {"lemma-3.feature-size": "long-teeth", "lemma-3.hypothesis": "inner-corner",
+              "phase-4.vertex-count": "one-far-vertex", "theorem-1.steiner-count": "one-far-vertex"}
     return parts.figure("fig-02-fails", "Figure 2", Scene(
         "Figure 2, companion: Lemma 3's bound with either sort of teeth, and the repaired routine", tuple(rows), (
             f"Lemma 3 states min(f1, f2) = {sqrt_text(min(f1, f2), DIGITS)} for w = 1, h = {_BOX.height}: "
             f"f1 = {sqrt_text(f1, DIGITS)}, f2 = {sqrt_text(f2, DIGITS)}. Its text leaves open how teeth meet g_i and "
             "how the right end is closed. The repaired routine takes the first triangulation that keeps g/5 = "
             f"{value_text(FEATURE)}: a fan, or one apex over each gap at most, for any gaps and slanted sides.",
-            parts.judged(claim, run_of(witness("long-teeth"), "paper")))), (claim,))
+            *(parts.judged(claim, run_of(witness(name), "paper")) for claim, name in claims.items()))), tuple(claims))
 
 
 def figure_3() -> Figure:
@@ -136,7 +137,7 @@ def figure_3_fails() -> Figure:
             (run_of(pslg, "paper", options=PaperOptions(teeth="retiled")), {"teeth": "retiled"}, "teeth re-tiled"),
             (run_of(pslg, "repaired"), {}, "repaired")]
     row = tuple(parts.panel(run, "mesh", f"{name}: {degradation(run)}", view, chosen) for run, chosen, name in runs)
-    claims = ("lemma-3.teeth-distance", "phase-4.feature-size", "theorem-1.degradation")
+    claims = ("lemma-3.teeth-distance", "phase-4.feature-size", "tube.feature-size", "theorem-1.degradation")
     return parts.figure("fig-03-fails", "Figure 3", Scene(
         "Figure 3, companion: the least distance is at the left end of the teeth",
         ((claimed.panel("lemma-3", "the leftmost teeth"), canvas.panel("lemma-3", "at the left end of the last teeth"),

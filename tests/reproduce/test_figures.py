@@ -84,7 +84,7 @@ def test_companions_show_claims_that_the_ledger_refutes(folder: Path) -> None:
     refuted = {entry.claim.id for entry in ledger() if any(j.status == "refuted" for j in entry.judged)}
     shown = {figure["name"]: set(figure["refuted"]) for figure in records(folder)}  # type: ignore[call-overload]
     assert all(bool(claims) == (name in COMPANIONS) for name, claims in shown.items())
-    assert set().union(*shown.values()) <= refuted and len(set().union(*shown.values())) >= 18
+    assert set().union(*shown.values()) <= refuted and len(set().union(*shown.values())) >= 24
 
 
 def test_what_holds_is_not_shown_as_refuted() -> None:
