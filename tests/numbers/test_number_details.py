@@ -381,7 +381,25 @@ class TestNested:
                 assert abs(mpq(found.interval(300).low) - expected) < mpq(1, 2**200)
             assert (x + y) - y == x and x * y / y == x and (x == y) == (x is y) and 0 - (-x) == x
 
+    def test_dependent_roots_that_meet_are_written_by_each_other(self) -> None:
+        up, down = sqrt(2 + R2), sqrt(2 - R2)
+        a, b = sqrt(1 + R2), sqrt(1 + R3)
+        values = [up, down, 3 - R3 * down, sqrt(1 + down), sqrt(2 + 2 * up), sqrt(4 + up - down), a, b,
+                  sqrt((1 + R2) * (1 + R3)), sqrt(5 + 5 * R2) + b, sqrt(3 * (1 + R2) * (1 + R3) * (2 + R2)) - up,
+                  a + b - up, sqrt(1 + a), sqrt(1 + sqrt((1 + R2) * 7)) + b, R2 - 1 - down * b]
+        digits = [mpq(x.interval(400).low) for x in values]
+        for (x, p), (y, q) in itertools.product(zip(values, digits, strict=True), repeat=2):
+            for found, expected in ((x + y, p + q), (x - y, p - q), (x * y, p * q)):
+                assert abs(mpq(found.interval(400).low) - expected) < mpq(1, 2**300)
+            assert (x + y) - x == y and (x - y) - (x + y) + 2 * y == 0 and x * y == y * x
+            assert (x == y) == (x is y) and (x < y) == (p < q)
+        assert up * down == R2 and up - R2 / down == 0 and R2 / up - down == 0 and sqrt(1 + down) ** 2 == 1 + R2 / up
+        assert sqrt((1 + R2) * (1 + R3)) == a * b == b * a and sqrt(5 + 5 * R2) - R5 * a == 0
+        assert (a + b + up) - (b + down) == a + up - R2 / up and (down + b) + (up + a) == a + (down + up) + b
+
     def test_content_is_taken_out_of_a_root(self) -> None:
+        assert (4 + 6 * sqrt(2 + R2))._element.content() == 2 and (6 + 4 * sqrt(2 + R2))._element.content() == 2
+        assert str(sqrt(2 + 2 * sqrt(2 + R2))) == "sqrt(2)*sqrt(1 + sqrt(2 + sqrt(2)))"
         assert sqrt(12 + 6 * R2) / DEEP == sqrt(6) and sqrt(18 + 9 * R2) == 3 * DEEP
         element = (2 * DEEP + 4 * R3)._element
         assert element.content() == 2 and (6 * DEEP)._element.content() == 6
