@@ -15,9 +15,6 @@ _SECTION_5 = ("its constant comes from counting pieces over a whole strip, for a
               "docs/dissection.md has the argument with constants, and every run asserts them")
 _TUBE = ("its hypotheses are a corner of P with all that snapping may do to it, five to nine real variables after the "
          "case split, more than was given to an engine yet; it holds on all instances")
-_LEMMA_3 = ("the number of positions and of octaves is any whole number: its induction has not been brought to "
-            "problems in finitely many variables yet; it holds on all rectangles met, for our reading of the open "
-            "places")
 _CHAIN = ("its proof needs the corners that snapping flattens, of which there are more kinds than have been brought to "
           "problems yet; it holds on all instances, and a search for the worst found no exception")
 
@@ -55,9 +52,6 @@ UNSETTLED = MappingProxyType({
     "lemma-3.positions": _RUN,
     "lemma-3.triangulation": _RUN,
     "lemma-3.boundary": _RUN,
-    "lemma-3.vertex-count": _LEMMA_3,
-    "lemma-3.fan-distance": _LEMMA_3,
-    "lemma-3.degradation": _LEMMA_3,
     "section-2.p2-single-curve": (
         "that an offset curve is one curve is a topological argument; checked on every run, and no exception is known"),
     "section-2.arc-below-180": (
@@ -87,7 +81,6 @@ UNSETTLED = MappingProxyType({
     "theorem-1.triangulation": _RUN,
     "theorem-2.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),
-    "theorem-2.layered-rectangle": _LEMMA_3,
     "theorem-2.proper-rectangle": _RUN,
     "theorem-2.triangulation": _RUN,
     "theorem-3.only-tube": (

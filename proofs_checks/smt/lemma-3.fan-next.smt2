@@ -1,0 +1,15 @@
+; lemma-3.fan-next: a vertex on e_i at x >= x_i/2 is f1 from e_i+1, x_i >= 2
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const h Real)
+(declare-const w Real)
+(declare-const x Real)
+(declare-const xi Real)
+(declare-const xj Real)
+(assert (> (* 1.0 w) 0.0))
+(assert (> (* 1.0 h) 0.0))
+(assert (>= (+ (* 1.0 xi) (- 2.0)) 0.0))
+(assert (>= (+ (* 2.0 x) (* (- 1.0) xi)) 0.0))
+(assert (>= (+ (* (- 2.0) xi) (* 1.0 xj)) 0.0))
+(assert (> (+ (* 8.0 h h x x xi xj) (* (- 4.0) h h x x xi xi) (* (- 4.0) h h x x xj xj) (* 288.0 w w x x xi xj) (* (- 144.0) w w x x xi xi) (* (- 144.0) w w x x xj xj) (* 9.0 w w xi xi xj xj) (* 4.0 h h xi xi)) 0.0))
+(check-sat)

@@ -1,0 +1,14 @@
+; lemma-3.layers-end-high: its side to the upper row
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const g Real)
+(declare-const p Real)
+(declare-const y Real)
+(assert (> (* 1.0 d) 0.0))
+(assert (>= (+ (* (- 2.0) d) (* 1.0 y)) 0.0))
+(assert (>= (+ (* (- 1.0) y) 1.0) 0.0))
+(assert (>= (+ (* 1.0 p) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 g) (- 1.0)) 0.0))
+(assert (> (+ (* (- 2.0) d g p y) (* 1.0 d d g p) (* (/ 1.0 2.0) d d g g) (* (- (/ 1.0 2.0)) d d p p) (* (/ 1.0 2.0) d d y y) (* (- 1.0) d d d y) (* (/ 1.0 2.0) d d d d) (* (- 1.0) g g y y)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; lemma-3.tooth: a point below e_i+1 by v, two points of it c apart, one of them a away and y above
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const c Real)
+(declare-const v Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 v) (- (/ 1.0 3.0))) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 5.0 6.0)) 0.0))
+(assert (>= (* 1.0 a) 0.0))
+(assert (>= (+ (* (- 1.0) a) (* 1.0 c)) 0.0))
+(assert (>= (+ (* 2.0 c) (- 1.0)) 0.0))
+(assert (> (+ (* (- 1.0) c c v v) (* (/ 1.0 37.0) a a) (* (/ 1.0 37.0) y y)) 0.0))
+(check-sat)
