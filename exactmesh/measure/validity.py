@@ -24,6 +24,7 @@ without a twin, against `boundary`.
 from collections import defaultdict
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from gmpy2 import mpq
@@ -127,7 +128,11 @@ class _Judge:
 
     def _check_indices(self) -> None:
         count, faces = len(self.mesh.vertices), self.mesh.faces
-        if all(face and min(face) >= 0 and max(face) < count for face in faces):
+        try:
+            flat = np.fromiter(chain.from_iterable(faces), np.int64)
+        except OverflowError:
+            flat = np.array([-1])
+        if not flat.size or (flat.min() >= 0 and flat.max() < count):
             return
         for number, cycle in enumerate(faces):
             for v in cycle:
@@ -164,7 +169,9 @@ class _Judge:
                            other=int(faces.face[owner]))
         rim = self._rim(sides)
         first = sides.first
-        is_rim = np.isin(sides.key[first], rim)
+        on_rim = np.zeros(len(sides.key), np.bool_)
+        on_rim[sides.find(rim)] = True
+        is_rim = on_rim[first]
         twin = sides.find(target[first] * count + origin[first])
         # An edge without a twin must be on the rim, one on the rim must have none.
         wrong = is_rim == (twin >= 0)
@@ -194,11 +201,11 @@ class _Judge:
                 leaving[int(faces.vertex[entry])].append(int(faces.vertex[faces.following[entry]]))
         for place in np.flatnonzero(~found).tolist():
             u, v = int(origin[place]), int(target[place])
-            chain = self._chain((u, v), leaving)
-            if not chain:
+            parts = self._chain((u, v), leaving)
+            if not parts:
                 self._violated("input-edge", edge=[u, v])
             elif on_rim[place]:
-                rim.append(np.array([a * count + b for a, b in chain], dtype=np.int64))
+                rim.append(np.array([a * count + b for a, b in parts], dtype=np.int64))
         return np.concatenate(rim)
 
     def _chain(self, side: Side, leaving: Mapping[int, list[int]]) -> list[Side]:
@@ -207,15 +214,15 @@ class _Judge:
         u, end = side
         if end >= len(points) or u >= len(points):  # input vertices are missing
             return []
-        chain: list[Side] = []
+        parts: list[Side] = []
         while u != end:
             onward = [v for v in leaving.get(u, ()) if v == end or (
                 orientation(points[u], points[v], points[end]) == 0 and is_ahead(points[u], points[v], points[end]))]
             if not onward:
                 return []
-            chain.append((u, onward[0]))
+            parts.append((u, onward[0]))
             u = onward[0]
-        return chain
+        return parts
 
     def _check_use(self) -> None:
         count, given = len(self.mesh.vertices), len(self.subdivision.pslg.vertices)

@@ -381,6 +381,12 @@ def test_a_violation_names_its_place(name: str, clause: str, place: dict[str, An
     assert (clause, place) in found
 
 
+def test_an_index_beyond_any_machine_number_is_named() -> None:
+    sound = SOUND[next(iter(SOUND))]
+    found = sound.with_face(0, (0, 1, 2**70), (0, -(2**70), 1)).verify().violations
+    assert [(v.clause, v.place["vertex"]) for v in found] == [("face-index", 2**70), ("face-index", -(2**70))]
+
+
 # --- every face, every vertex ---
 
 
