@@ -40,24 +40,22 @@ def trapezoidate(offset: Offset) -> Trapezoidation:
 
 class _Sweep:
     """`status` has the edges that reach above the sweep line, from left to right; an edge has the number of the vertex
-    of Q it starts from. `lower[e]`, `upper[e]` are its ends by level, as vertices of Q."""
+    of Q it starts from. `lower[e]`, `upper[e]` are its ends by level, as vertices of Q; -1 when it is horizontal."""
 
     def __init__(self, offset: Offset) -> None:
         self.offset = offset
         self.x, self.level = offset.x, offset.level
         self.lower, self.upper = list(range(len(self.x))), offset.successors()
         self.is_left = [False] * len(self.x)
-        self.starting: dict[int, list[int]] = defaultdict(list)
-        self.ending: dict[int, list[int]] = defaultdict(list)
+        self.incoming = [0] * len(self.x)
         for e, (a, b) in enumerate(zip(self.lower, self.upper, strict=True)):
+            self.incoming[b] = e
             if self.level[a] == self.level[b]:
-                continue
-            if self.level[a] > self.level[b]:
+                self.lower[e] = self.upper[e] = -1
+            elif self.level[a] > self.level[b]:
                 # The region is on the left of Q, so an edge that runs down has it on its east: it is a left leg.
                 self.is_left[e] = True
                 self.lower[e], self.upper[e] = b, a
-            self.starting[self.lower[e]].append(e)
-            self.ending[self.upper[e]].append(e)
         self.filter = _Filter(offset, self.lower, self.upper)
         self.status = _Status()
         self.open: dict[int, _Open] = {}
@@ -90,7 +88,7 @@ class _Sweep:
         above: dict[int, list[int]] = defaultdict(list)
         begun: dict[int, int] = {}
         for here, (before, after) in zip(found, beside, strict=True):
-            for e in self.starting[here.v]:
+            for e in sorted(here.starting):
                 if self.is_left[e]:
                     begun[e] = after if e == here.starting[-1] else here.starting[1]
             if not here.starting and before >= 0 and self.is_left[before]:
@@ -103,12 +101,15 @@ class _Sweep:
 
     def _found(self, v: int, level: int) -> "_Found":
         """Return what the sweep line meets at a vertex."""
-        status, ending = self.status, self.ending[v]
+        status = self.status
+        edges = self.incoming[v], v
+        ending = [e for e in edges if self.upper[e] == v]
+        starting = [e for e in edges if self.lower[e] == v]
         at = block, place = status.place(self.filter, v, level)
         if len(ending) == 2 and status.edge(block, place) != ending[0]:
             ending = ending[::-1]
         return _Found(v, at, status.edge(block, place - 1), ending, status.edge(block, place + len(ending)),
-                      self.filter.from_the_left(self.starting[v]))
+                      self.filter.from_the_left(starting))
 
     def _touched(self, found: "list[_Found]", level: int) -> tuple[dict[int, list[int]], dict[int, int]]:
         """Return the left legs of the open trapezoids that a vertex of the row lies on, with the vertices strictly

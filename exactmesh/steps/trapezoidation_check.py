@@ -15,7 +15,7 @@ from itertools import chain, pairwise
 import numpy as np
 from gmpy2 import mpq
 
-from exactmesh.geometry.balls import Bools, Ints, exact_balls
+from exactmesh.geometry.balls import Bools, Ints
 from exactmesh.geometry.columns import Columns, Rows, columns_of, indices
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.distance import segment_distance_squared
@@ -93,8 +93,9 @@ def check_touch(offset: Offset, chords: Trapezoidation) -> Verdict:
     if len(rows):
         is_of_q = (rows.flat >= offset.first) & (rows.flat < chords.first)
         held = np.add.reduceat(is_of_q, rows.start[:-1], dtype=np.int64)
-        see_worst(tally, "vertices on a side", exact_balls(held.astype(np.float64)), lambda i: mpq(int(held[i])),
-                  lambda i: {"trapezoid": i // 2})
+        least = int(np.argmin(held))
+        tally.see(mpq(int(held[least])), trapezoid=least // 2)
+        tally.instances = len(held)
     return tally.verdict()
 
 
