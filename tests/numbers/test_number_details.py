@@ -395,6 +395,10 @@ class TestNested:
             assert (x == y) == (x is y) and (x < y) == (p < q)
         assert up * down == R2 and up - R2 / down == 0 and R2 / up - down == 0 and sqrt(1 + down) ** 2 == 1 + R2 / up
         assert sqrt((1 + R2) * (1 + R3)) == a * b == b * a and sqrt(5 + 5 * R2) - R5 * a == 0
+        assert (a + b) - sqrt((1 + a) ** 2 * (1 + R3)) == a - a * b
+        tower = (Root((1 + R2)._element), Root((1 + R3)._element))
+        found = nested.root_in(((1 + a) ** 2)._element, tower)
+        assert found is not None and same(found * found, ((1 + a) ** 2)._element)
         assert (a + b + up) - (b + down) == a + up - R2 / up and (down + b) + (up + a) == a + (down + up) + b
 
     def test_content_is_taken_out_of_a_root(self) -> None:
