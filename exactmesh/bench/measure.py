@@ -74,10 +74,12 @@ class Plan:
     largest: int = 10**6
 
     def cases(self) -> list[tuple[str, Case, int]]:
-        """Return the comparisons: peer, case and size, each once."""
-        found = {(peer, case.family, min(case.short if self.short else case.n, self.largest)): (peer, case)
-                 for peer in self.peers for case in PEERS[peer].cases}
-        return [(peer, case, n) for (_, _, n), (peer, case) in found.items()]
+        """Return the comparisons: peer, case and size, each size once."""
+        found: dict[tuple[str, str, int], Case] = {}
+        for peer in self.peers:
+            for case in PEERS[peer].cases:
+                found.setdefault((peer, case.family, min(case.short if self.short else case.n, self.largest)), case)
+        return [(peer, case, n) for (peer, _, n), case in found.items()]
 
 
 @dataclass(frozen=True, slots=True)

@@ -126,6 +126,15 @@ def test_a_size_too_small_is_refused() -> None:
         plan_of(["circle"], [59, 100], True, len(STAGES), [])
 
 
+def test_comparisons_are_cut_to_the_largest_size_and_made_once_each() -> None:
+    full = Plan([], [100]).cases()
+    assert len(full) == 8 and all(n == case.n for _, case, n in full)
+    assert {case.short for _, case, _ in full} == {n for _, _, n in Plan([], [100], short=True).cases()}
+    cut = Plan([], [100], peers=["sect"], largest=1000).cases()
+    # The case whose bound is for this size stands for both.
+    assert [(case.n, n) for _, case, n in cut] == [(1000, 1000)]
+
+
 # --- the command ---
 
 
