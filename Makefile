@@ -18,8 +18,8 @@ test: $(VENV)/installed-test
 	$(BIN)/mypy
 	$(BIN)/python -m pytest -n auto
 
-bench: $(VENV)/installed-test
-	$(BIN)/python tests/benchmarks/pipeline.py
+bench: $(VENV)/installed-peers
+	$(BIN)/exactmesh bench -o build/bench
 
 proofs: $(VENV)/installed-proofs
 	$(BIN)/exactmesh prove
@@ -34,6 +34,10 @@ $(VENV)/installed: pyproject.toml
 
 $(VENV)/installed-test: $(VENV)/installed
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[test]'
+	touch $@
+
+$(VENV)/installed-peers: $(VENV)/installed
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e '.[peers]'
 	touch $@
 
 $(VENV)/installed-proofs: $(VENV)/installed
