@@ -174,7 +174,7 @@ def configure(folder: Path, module: str, patience: float) -> None:
     (folder / "pyproject.toml").write_text(settings(module, TARGETS[module], patience), encoding="utf-8")
 
 
-def mutmut(folder: Path, *args: str) -> str:
+def mutmut(folder: Path, *args: str) -> None:
     """Run mutmut in the copy; raises `CalledProcessError` when it fails."""
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "PYTHONHASHSEED": "0",
                    "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
@@ -183,7 +183,6 @@ def mutmut(folder: Path, *args: str) -> str:
     if done.returncode:
         print(done.stdout[-3000:], done.stderr[-3000:], file=sys.stderr)
         done.check_returncode()
-    return done.stdout
 
 
 def outcome(folder: Path, module: str) -> Outcome:
@@ -196,10 +195,15 @@ def outcome(folder: Path, module: str) -> Outcome:
     return Outcome(len(killed), len(timed_out), tuple(name for name in found if name not in {*killed, *timed_out}))
 
 
-def gist(folder: Path, name: str) -> str:
-    """Return the lines that a mutant changes."""
-    lines = mutmut(folder, "show", name).splitlines()
-    return "\n".join(f"    {line}" for line in lines if line[:1] in "+-" and line[:3] not in ("+++", "---"))
+def changes(folder: Path, module: str, names: Sequence[str]) -> list[str]:
+    """Return the lines that each mutant changes, as mutmut shows them."""
+    script = ("import json, sys; from pathlib import Path; from mutmut.mutation.diff_apply import get_diff_for_mutant; "
+              "names = json.load(sys.stdin); "
+              "print(json.dumps([get_diff_for_mutant(name, path=Path(sys.argv[1])) for name in names]))")
+    done = subprocess.run([sys.executable, "-c", script, module], cwd=folder, input=json.dumps(names), text=True,
+                          capture_output=True, check=True)
+    return ["\n".join(f"    {line}" for line in diff.splitlines() if line[:1] in "+-" and line[:3] not in ("+++", "---"))
+            for diff in json.loads(done.stdout)]
 
 
 def tested(module: str, folder: Path, again: bool, children: int, patience: float) -> Outcome:
@@ -237,8 +241,8 @@ def main() -> int:
         outcomes.append(found)
         print(f"{module}: {found.percent:.1f} % of {found.total}: {found.killed} killed, {found.timed_out} timed out, "
               f"{len(found.survivors)} survived", flush=True)
-        for name in found.survivors:
-            print(f"  {name}\n{gist(folder, name)}", flush=True)
+        for name, change in zip(found.survivors, changes(folder, module, found.survivors), strict=True):
+            print(f"  {name}\n{change}", flush=True)
     return 0 if all(found.percent >= LEAST for found in outcomes) else 1
 
 
