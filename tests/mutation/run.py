@@ -202,8 +202,8 @@ def changes(folder: Path, module: str, names: Sequence[str]) -> list[str]:
               "print(json.dumps([get_diff_for_mutant(name, path=Path(sys.argv[1])) for name in names]))")
     done = subprocess.run([sys.executable, "-c", script, module], cwd=folder, input=json.dumps(names), text=True,
                           capture_output=True, check=True)
-    return ["\n".join(f"    {line}" for line in diff.splitlines() if line[:1] in "+-" and line[:3] not in ("+++", "---"))
-            for diff in json.loads(done.stdout)]
+    return ["\n".join(f"    {line}" for line in diff.splitlines()
+                      if line[:1] in "+-" and line[:3] not in ("+++", "---")) for diff in json.loads(done.stdout)]
 
 
 def tested(module: str, folder: Path, again: bool, children: int, patience: float) -> Outcome:
