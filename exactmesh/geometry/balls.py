@@ -139,13 +139,20 @@ def constant(value: float, shape: Balls) -> Balls:
     return Balls(np.full_like(shape.mid, value), np.zeros_like(shape.mid))
 
 
+@_quiet
+def between(low: Floats, high: Floats) -> Balls:
+    """Return balls that contain everything between floats; where a bound is infinite, nothing is known."""
+    mid = low + (high - low) / 2
+    return Balls(mid, (high - low) / 2 + 4 * _U * (np.abs(low) + np.abs(high)))
+
+
 def least(*balls: Balls) -> Balls:
-    """Return the lesser of balls, place by place; a minimum is off by no more than one of its arguments."""
-    return reduce(lambda a, b: Balls(np.minimum(a.mid, b.mid), np.maximum(a.rad, b.rad)), balls)
+    """Return the least of balls, place by place: large ones, whose bounds are wide, do not widen the result."""
+    return between(reduce(np.minimum, [b.low() for b in balls]), reduce(np.minimum, [b.high() for b in balls]))
 
 
 def greatest(*balls: Balls) -> Balls:
-    """Return the greater of balls, place by place."""
+    """Return the greatest of balls, place by place; a maximum is off by no more than one of its arguments."""
     return reduce(lambda a, b: Balls(np.maximum(a.mid, b.mid), np.maximum(a.rad, b.rad)), balls)
 
 

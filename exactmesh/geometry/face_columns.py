@@ -9,7 +9,7 @@ from itertools import chain
 
 import numpy as np
 
-from exactmesh.geometry.balls import Balls, Bools, Ints, least
+from exactmesh.geometry.balls import Balls, Bools, Ints, between, least
 from exactmesh.geometry.columns import Columns, Rows
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.predicates import is_ahead
@@ -130,14 +130,14 @@ def _long_features(points: Columns, rows: Rows, places: Ints, some: Ints) -> Bal
     near = least(points.segment_distances_squared(t, p, q), points.segment_distances_squared(t, q, r))
     have = np.flatnonzero(np.bincount(row, minlength=len(some)))
     close = _by_row(near, np.searchsorted(row, np.append(have, len(some))))
-    value.mid[have] = np.minimum(value.mid[have], close.mid)
-    value.rad[have] = np.maximum(value.rad[have], close.rad)
-    return value
+    low, high = value.low(), value.high()
+    low[have], high[have] = np.minimum(low[have], close.low()), np.minimum(high[have], close.high())
+    return between(low, high)
 
 
 def _by_row(values: Balls, begin: Ints) -> Balls:
     """Return the least ball of each stretch of the values; no stretch is empty."""
-    return Balls(np.minimum.reduceat(values.mid, begin[:-1]), np.maximum.reduceat(values.rad, begin[:-1]))
+    return between(np.minimum.reduceat(values.low(), begin[:-1]), np.minimum.reduceat(values.high(), begin[:-1]))
 
 
 def unpaired_sides(faces: FaceColumns, count: int) -> Ints | None:
