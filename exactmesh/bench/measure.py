@@ -6,7 +6,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import log
 from statistics import linear_regression, median
@@ -84,20 +84,28 @@ class Plan:
 
 @dataclass(frozen=True, slots=True)
 class Results:
-    """All that was measured."""
+    """All that was measured, all that was planned unless it is `interrupted`."""
 
     rows: Sequence[Row]
     beside: Sequence[Beside]
+    interrupted: bool = False
 
 
 def measured(plan: Plan, progress: Callable[[str], None]) -> Results:
     """Measure all that is planned, small inputs first; `progress` is told what is measured and how long the rest takes.
 
-    A process that fails, for lack of memory or otherwise, leaves a row that says so.
+    A process that fails, for lack of memory or otherwise, leaves a row that says so. An interrupt ends it all; what
+    there is by then is returned.
     """
     left = _Left(plan, progress)
-    rows = list(_pipelines(plan, left))
-    return Results(rows, list(_comparisons(plan, left)))
+    rows: list[Row] = []
+    beside: list[Beside] = []
+    try:
+        _measure_inputs(plan, left, rows)
+        _measure_peers(plan, left, beside)
+    except KeyboardInterrupt:
+        return Results(rows, beside, interrupted=True)
+    return Results(rows, beside)
 
 
 def exponent(points: Sequence[tuple[float, float]]) -> float | None:
@@ -136,7 +144,7 @@ def _duration(seconds: float) -> str:
         f"{seconds / 3600:.1f} h")
 
 
-def _pipelines(plan: Plan, left: _Left) -> Iterator[Row]:
+def _measure_inputs(plan: Plan, left: _Left, rows: list[Row]) -> None:
     for n in plan.sizes:
         for family in plan.families:
             left.begin(family, n)
@@ -148,10 +156,10 @@ def _pipelines(plan: Plan, left: _Left) -> Iterator[Row]:
                     {"task": "pipeline", "path": path, "out": out, "stages": plan.stages})
             left.end(family, n, time.perf_counter() - start)
             given: dict[str, Any] = {"family": family, "n": n}
-            yield Row(**given | found)
+            rows.append(Row(**given | found))
 
 
-def _comparisons(plan: Plan, left: _Left) -> Iterator[Beside]:
+def _measure_peers(plan: Plan, left: _Left, beside: list[Beside]) -> None:
     for name, case, n in plan.cases():
         peer = PEERS[name]
         left.begin(f"{name}, {case.family}", n)
@@ -164,7 +172,7 @@ def _comparisons(plan: Plan, left: _Left) -> Iterator[Beside]:
         # The bound is for the full size.
         given: dict[str, Any] = {"peer": name, "family": case.family, "n": n,
                                  "target": case.target if n == case.n else None}
-        yield Beside(**given | found)
+        beside.append(Beside(**given | found))
 
 
 def _run(task: Mapping[str, object]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import sys
 from collections.abc import Callable, Iterable
 
 from exactmesh.bench.inputs import FAMILIES
@@ -9,7 +10,7 @@ from exactmesh.bench.measure import measured, plan_of
 from exactmesh.bench.peers import PEERS
 from exactmesh.bench.report import bench_json, bench_svg, bench_text
 from exactmesh.bench.worker import STAGES, WITHOUT_MESH, machine
-from exactmesh.commands.exit_status import FAILS, HOLDS
+from exactmesh.commands.exit_status import FAILS, HOLDS, INTERRUPTED
 from exactmesh.commands.options import Subparsers, add_quiet, make_folder
 from exactmesh.io.atomic import write_text
 from exactmesh.progress import Progress
@@ -48,6 +49,9 @@ def _run(args: argparse.Namespace) -> int:
         for ending, text in texts.items():
             write_text(os.path.join(args.output, f"bench.{ending}"), text)
     print(texts["json" if args.json else "txt"], end="")
+    if results.interrupted:
+        print("exactmesh: interrupted: the table has what was measured until then", file=sys.stderr)
+        return INTERRUPTED
     return HOLDS if all(row.holds for row in results.rows) else FAILS
 
 

@@ -116,6 +116,24 @@ def test_what_is_left_is_told_from_the_rates_so_far(monkeypatch: pytest.MonkeyPa
     assert said[1] == "circle, 10000 vertices (2 of 2, about 2 min left)"
 
 
+def test_an_interrupt_keeps_what_was_measured(
+        monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    made = 0
+
+    def run(task: dict[str, object]) -> dict[str, object]:
+        nonlocal made
+        made += 1
+        if made == 4:
+            raise KeyboardInterrupt
+        return {"n": 77, "cpu": {"read": 1.0}}
+
+    monkeypatch.setattr(measure, "_run", run)
+    assert main(["bench", "--sizes", "60", "--quiet", "--json"]) == 130
+    shown = capsys.readouterr()
+    assert [row["family"] for row in json.loads(shown.out)["rows"]] == ["random"]
+    assert "interrupted" in shown.err
+
+
 def test_a_process_that_fails_leaves_a_row_and_the_rest_goes_on() -> None:
     found = measure._run({"task": "make", "family": "no such family", "n": 100, "path": "x"})
     assert "KeyError" in found["failure"]
