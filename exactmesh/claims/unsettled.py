@@ -62,22 +62,11 @@ UNSETTLED = MappingProxyType({
     "section-2.p5-tiles": _RUN,
     "section-2.tube-keeps-boundary": _RUN,
     "section-2.p6-tiles": _RUN,
-    "section-2.clean-interior-feature-size": (
-        "it joins `lemma-1.degradation` and `section-2.p4-both-regions`, both proved, by what trapezoidation does to "
-        "trapezoids without T-vertices, which is not; it holds on all instances"),
     "tube.tiles": _RUN,
     "phase-1.structure": _RUN,
-    "phase-1.snapped-angle": _TUBE,
-    "phase-1.fan-value": (
-        "it is a number that reads one way or the other: `exactmesh reproduce bounds` has both, exactly"),
-    "phase-2.projection": _TUBE,
-    "phase-2.q-prime-feature-size": _TUBE,
     "phase-2.lower-feature-size": _TUBE,
-    "phase-2.side-triangles": _TUBE,
     "phase-3.feature-size": _TUBE,
     "phase-3.tall": _TUBE,
-    "phase-4.spacing": _TUBE,
-    "phase-4.longer-side": _TUBE,
     "theorem-1.triangulation": _RUN,
     "theorem-2.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),

@@ -1,0 +1,16 @@
+; clean.steeper: with the longer side b longer: if BL is r from the right leg, so is BR from the left one
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const B Real)
+(declare-const h Real)
+(declare-const r Real)
+(declare-const w Real)
+(declare-const x Real)
+(assert (> (* 1.0 r) 0.0))
+(assert (>= (+ (* 1.0 h) (* (- 1.0) r)) 0.0))
+(assert (> (* 1.0 x) 0.0))
+(assert (> (* 1.0 B) 0.0))
+(assert (>= (* 1.0 w) 0.0))
+(assert (>= (+ (* 1.0 B B h h) (* (- 1.0) h h r r) (* (- 2.0) r r w x) (* (- 1.0) r r w w) (* (- 1.0) r r x x)) 0.0))
+(assert (> (+ (* (- 1.0) B B h h) (* 1.0 h h r r) (* 1.0 r r x x)) 0.0))
+(check-sat)

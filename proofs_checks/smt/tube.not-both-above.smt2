@@ -1,0 +1,17 @@
+; tube.not-both-above: if neither is, a' is not above L R
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const u Real)
+(declare-const w Real)
+(declare-const x2 Real)
+(declare-const y Real)
+(declare-const y2 Real)
+(assert (> (* 1.0 u) 0.0))
+(assert (> (* 1.0 D) 0.0))
+(assert (> (* 1.0 w) 0.0))
+(assert (> (+ (* (- 1.0) w) (* 1.0 x2)) 0.0))
+(assert (>= (+ (* 1.0 D) (* 1.0 y)) 0.0))
+(assert (>= (+ (* 1.0 D) (* 1.0 y2)) 0.0))
+(assert (> (+ (* (- 1.0) D u) (* (- 1.0) D x2) (* (- 1.0) u y2) (* (- 1.0) x2 y)) 0.0))
+(check-sat)

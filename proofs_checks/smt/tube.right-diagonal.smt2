@@ -1,0 +1,15 @@
+; tube.right-diagonal: R, b', a' turn left if R is below a' b'
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const u Real)
+(declare-const w Real)
+(declare-const x2 Real)
+(declare-const y2 Real)
+(assert (> (* 1.0 u) 0.0))
+(assert (> (* 1.0 D) 0.0))
+(assert (> (* 1.0 w) 0.0))
+(assert (> (+ (* (- 1.0) w) (* 1.0 x2)) 0.0))
+(assert (> (+ (* (- 1.0) D) (* (- 1.0) y2)) 0.0))
+(assert (>= (+ (* 1.0 D w) (* 1.0 w y2)) 0.0))
+(check-sat)
