@@ -14,13 +14,14 @@ from gmpy2 import mpq
 
 from exactmesh.optimize.faces import Faces
 from exactmesh.optimize.moves import Moves
+from exactmesh.planar.cycles import sides
 
 Reason = Literal["target", "no move helps", "effort", "time", "interrupted"]
 # Floats should promise this much more than what is to be reached, relatively: their errors are far smaller.
 _MARGIN = 1e-9
 # Gains below this, relatively, are not worth a step; nor below this share of what is left to the goal.
 _GAIN, _SHARE = 2e-3, 0.25
-_WORTHWHILE = 1.01
+_WORTHWHILE, _NEARLY = 1.01, 0.95
 # Rings of faces around the worst one that are improved when it cannot be, and how often.
 _RINGS = (2, 4, 6)
 _PASSES = 4
@@ -30,7 +31,7 @@ _THINNINGS = 4
 @dataclass(frozen=True, slots=True)
 class Effort:
     """When to give up: after so many `tries`; or after `patience` tries that changed their face by less than 1% or not
-    at all, while the mfs rose by less than 1%; or when `is_late()`."""
+    at all, while the mfs rose by less than 1%, a quarter of that within 1% of the goal; or when `is_late()`."""
 
     tries: float
     patience: float
@@ -56,6 +57,7 @@ class Improver:
     def run(self) -> Reason:
         """Improve the worst face until the goal is reached, or no move helps, or the effort is spent."""
         faces = self.faces
+        self._make_stars()
         while True:
             worst = faces.worst()
             if faces.feature[worst] >= self.goal:
@@ -65,13 +67,34 @@ class Improver:
             if not self._improve(worst) and not any(self._relax(worst, rings) for rings in _RINGS):
                 return self._spent() or "no move helps"
 
+    def _make_stars(self) -> None:
+        """Where one star over a whole face of the input nearly reaches the goal, take it: what is round needs no more,
+        and would need many steps. Poorer ones would only be in the way of better meshes."""
+        faces = self.faces
+        seen: set[int] = set()
+        for start in list(faces.cycle):
+            part = [start] if start not in seen else []
+            seen.add(start)
+            for face in part:
+                across = {faces.neighbour(side) for side in sides(faces.cycle[face])} - seen
+                part += (found := sorted(other for other in across if other is not None))
+                seen.update(found)
+            least = min((faces.feature[face] for face in part), default=self.goal)
+            if least < self.goal:
+                moves = Moves(faces, faces.cycle[start][0], max(_NEARLY * self._cap, (1 + _GAIN) * sqrt(float(least))),
+                              self._cap)
+                if proposal := moves.starred(part):
+                    faces.replace(proposal.old, proposal.new, proposal.centre)
+
     def _spent(self) -> Reason | None:
         if self._effort.is_late():
             return "time"
         height = sqrt(float(self.faces.feature[self.faces.worst()]))
         if height > _WORTHWHILE * self._reached:
             self._wasted, self._reached = 0, height
-        return "effort" if self._wasted > self._effort.patience or self.tries > self._effort.tries else None
+        # Near the goal no gain is worthwhile any more.
+        patience = self._effort.patience if _WORTHWHILE * height < self._cap else self._effort.patience / 4
+        return "effort" if self._wasted > patience or self.tries > self._effort.tries else None
 
     def _improve(self, face: int) -> bool:
         """Change a face for the better, by the best proposal that is accepted; return whether there is one."""
