@@ -583,6 +583,7 @@ def test_a_document_is_read_whole_under_each_limit_that_it_keeps(block: int, mon
     ('{"name": "é"}', "format: PSLG: byte 9: a token expected"),
     ('{"name": "\t"}', "format: PSLG: byte 9: a token expected"),
     ('{"name": tru', "format: PSLG: byte 9: a token expected"),
+    ('{"name": X}', "format: PSLG: byte 9: a token expected"),
     ('{"name": "a', "format: PSLG: byte 9: a token expected"),
     ('{"holes": [["1","2"],]}', "format: PSLG: byte 21: [ expected"),
     ('{"holes": [["1","2"] 5]}', "format: PSLG: byte 21: , or ] expected"),
@@ -604,6 +605,16 @@ def test_a_refusal_names_the_byte_and_what_should_be_there(data: str, line: str,
     for block in (1, 4, 1 << 16):
         monkeypatch.setattr(check, "_BLOCK", block)
         assert refusal(lambda: read(data.encode())) == line
+
+
+def test_a_limit_of_bytes_holds_within_a_token_and_not_before_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    for n in range(8):
+        for block in (1, 3, 1 << 16):
+            monkeypatch.setattr(check, "_BLOCK", block)
+            assert word('"abcdef"', "text", bytes=n) == f"size: FILE: more than {n} bytes"
+    for size in (12, 30):
+        assert refusal(lambda size=size: read(b'{"x": 1}' + b" " * 50, bytes=size)) == (
+            "format: PSLG: byte 1: another key expected")
 
 
 def test_a_file_without_optional_keys_has_their_defaults() -> None:
@@ -692,7 +703,7 @@ def test_cycles_are_the_same_however_their_rows_are_written() -> None:
             assert word(rows, "cycles", items=count - 1) == f"size: FILE: more than {count - 1} items"
 
 
-@pytest.mark.parametrize("block", [16, 23, 40, 64, 100])
+@pytest.mark.parametrize("block", range(10, 60))
 def test_rows_are_read_once_wherever_blocks_end(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(check, "_BLOCK", block)
     places = [(k, -k) for k in range(40)]
