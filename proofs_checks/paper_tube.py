@@ -1,6 +1,7 @@
 """Prove what Section 2 says of the clean Interior and of the snapped Tube: `section-2.clean-interior-feature-size`,
 `phase-1.snapped-angle`, `phase-1.fan-value`, `phase-2.projection`, `phase-2.q-prime-feature-size`,
-`phase-2.side-triangles`, `phase-4.spacing`, `phase-4.longer-side`.
+`phase-2.side-triangles`, `phase-3.feature-size`, `phase-4.spacing`, `phase-4.longer-side`; in part
+`phase-2.lower-feature-size`.
 
 Given   mfs(P) = 1 but for the clean Interior. r <= n is the spacing of the grid, n = 2/21, or 3/34 if d3 = 4 sqrt 2;
         vertices move by m <= 1/(4 d3) <= s/8, s = sin(pi/8): by r/2 up or down, and by 2^-17 to the side. P and P4
@@ -9,8 +10,8 @@ Given   mfs(P) = 1 but for the clean Interior. r <= n is the spacing of the grid
         below; a' = (0,-D), b' = (w,-D), 1/4 - n less a millionth <= D <= 1/4 - n. The corner L of P beside a is (-u,y),
         with u > 0 and u >= |y|: an angle of 135 degrees or more; R beside b is (x2,y2), x2 > w.
 Claim   angles: fans have a sine of 1/4 or more, other edges at spokes 7/25. rectangle: its corners are in Q', and Q'
-        keeps r, the triangles beside R r/2. spacing: neighbours on a top are r apart, |a b| >= |a a'|.
-        clean Interior: trapezoids without T-vertices keep r, triangles among them r/2.
+        keeps r, the triangles beside R r/2, those at the vertex below R r/4 less a millionth. spacing: neighbours on a
+        top are r apart, |a b| >= |a a'|. clean Interior: trapezoids without T-vertices keep r, triangles r/2.
 Method  fan: over a chord, seen from the corner p at an angle f, 45 <= f <= 90, S, C the sine and cosine of f/2, the
         ends t, q are (1/4) unit vectors. Twice the area of p t q was S C/8 and changes by at most r/2 times the sum of
         the sizes of their abscissae, which is C/2 at most, and by 2^-17 (1/2 + 2/21) for the motion to the side. The
@@ -33,10 +34,11 @@ import tube_spokes
 from gmpy2 import mpq
 from kit import Hint, Statement, Theorem, at_least, bounded, equal, main, more, square, states
 
-from exactmesh.proofs.polynomial import variables
+from exactmesh.proofs.certificate import Constraint
+from exactmesh.proofs.polynomial import Polynomial, variables
 
 S, C, s, q, bx, by, ex, ey = variables("S C s q bx by ex ey")
-u, w, x, x2, y, y2, D, r, n, h, v, B, m, e = variables("u w x x2 y y2 D r n h v B m e")
+u, w, x, x2, y, y2, D, r, n, h, v, B, c, e, p, d, k = variables("u w x x2 y y2 D r n h v B c e p d k")
 HALF_STEP, ASIDE = mpq(1, 21), mpq(1, 2**17)
 LESS_A_MILLIONTH = 1 - mpq(1, 10**6)
 DEEP = (mpq(1, 4) - mpq(2, 21)) * LESS_A_MILLIONTH
@@ -128,6 +130,49 @@ SPACING = [
              at_least(mpq(1, 4) - n, D), more(D)),
             lambda f: at_least(w, D * mpq(f)), sharp={"n": "3/34", "r": "3/34", "w": "6/34", "D": "11/68"}),
 ]
+TILT, LEVELLED = mpq(3315, 10000), mpq(943, 1000)
+# The frame of the rectangle turned: B runs along (c,e), c^2 + e^2 = 1; a' - L = (u,-D - y).
+TILTED = (at_least(1, c * c + e * e), at_least(c * c + e * e, 1), at_least(c, LEVELLED), at_least(1, c),
+          at_least(TILT, e), at_least(e, -TILT))
+# From here in units of n: B from (0,0) to (B,0), a' = (p,k), b' = (p + 2 d,h), s = (p + d,v).
+FLOOR = mpq(1, 2) - mpq(1, 10**8)
+MORE = mpq(1, 10**8) + mpq(1, 10**16)  # (1/2 + 10^-8)^2 - 1/4
+QUARTER = mpq(1, 4)
+KEPT = QUARTER * LESS_A_MILLIONTH
+LOW = (at_least(p, mpq(5, 4)), at_least(d, mpq(9, 10)), at_least(k, FLOOR), at_least(QUARTER, v),
+       at_least(v, QUARTER * (1 - mpq(1, 2**22))))
+
+
+def low_height(id_: str, says: str, hypotheses: tuple[Constraint, ...], area: Polynomial, side_squared: Polynomial
+               ) -> Statement:
+    """Return that doubled area over a side is a quarter less a millionth."""
+    return bounded(f"tube.low-{id_}", says, hypotheses,
+                   lambda f: at_least(area * area, square(f) * KEPT**2 * side_squared), Hint(degrees=(4, 5)))
+
+
+BESIDE_LOW = p * (k - v) + k * d
+GAP = (k + h - 2 * v) * d
+LOW_VERTEX = [
+    bounded("tube.motion", "r/2 and 2^-17 to the side are together at most n (1/2 + 10^-8), r <= n, n >= 3/34",
+            (at_least(n, mpq(3, 34)), at_least(n, r), at_least(r)),
+            lambda f: at_least((n * (mpq(1, 2) + mpq(1, 10**8)))**2, mpq(f)**2 * (r * r / 4 + ASIDE**2)),
+            Hint(given={"kind": "combination", "equalities": [], "terms": [
+                ["1", [3], None], ["1/4", [1, 1], None], ["1/2", [1, 2], None], [str(MORE), [0, 0], None],
+                [str(MORE * mpq(3, 17)), [0], None], [str(MORE * mpq(3, 34)**2 - ASIDE**2), [], None]]})),
+    bounded("tube.levelled", "a sine of 0.3315 or less has a cosine of 0.943 or more, and half of 2 n of it 9/10 n",
+            (at_least(c * c + e * e, 1), at_least(TILT, e), at_least(e, -TILT), more(c)),
+            lambda f: at_least(c, LEVELLED * mpq(f)), Hint(degrees=(2, 3))),
+    bounded("tube.reach", "a' is 0.12, or 5/4 n, beyond L along B, if it is above L R",
+            (*TILTED, at_least(u, -y), at_least(D, DEEP), at_least((-D - y) * c, u * e)),
+            lambda f: at_least(u * c + (-D - y) * e, mpq(12, 100) * mpq(f)),
+            Hint(cases=(at_least(e),), degrees=(3, 4))),
+    low_height("left", "(L, R, s) onto R s", (*LOW, at_least(B, p + d)), B * v, (B - p - d)**2 + v * v),
+    low_height("spoke", "(a', L, s) onto L s", LOW, BESIDE_LOW, (p + d)**2 + v * v),
+    low_height("outside", "(a', L, s) onto L a'", LOW, BESIDE_LOW, p * p + k * k),
+    low_height("across", "(a', L, s) onto a' s", LOW, BESIDE_LOW, d * d + (k - v)**2),
+    low_height("above", "(b', a', s) onto a' s", (*LOW, at_least(h, FLOOR)), GAP, d * d + (k - v)**2),
+    low_height("top", "(b', a', s) onto a' b'", (*LOW, at_least(h, FLOOR)), GAP, 4 * d * d + (h - k)**2),
+]
 LEVEL = (more(r), at_least(h, r))
 CLEAN = [
     bounded("clean.beyond", "q on the level of p, B away: its foot on the line of an edge from p to (x,h) is on it, "
@@ -144,7 +189,7 @@ CLEAN = [
             LEVEL, lambda f: at_least(x * x + h * h, square(f) * r * r), Hint(squares=(x,), degrees=(2,)),
             {"x": "0", "h": "1", "r": "1"}),
 ]
-STATEMENTS = [*ANGLES, *VALUE, *PROJECTION, *UPPER, *SIDES, *SPACING, *CLEAN]
+STATEMENTS = [*ANGLES, *VALUE, *PROJECTION, *UPPER, *SIDES, *LOW_VERTEX, *SPACING, *CLEAN]
 
 
 def names(*parts: list[Statement]) -> tuple[str, ...]:
@@ -162,6 +207,11 @@ BOTH = known(refinement, "section-2.p4-both-regions")
 TUBE = known(refinement, "section-2.p4-tube-distance")
 IN_THE_FRAME = ("The loops of phase 2 end with angles of 135 degrees or more at both ends of T', which a rectangle "
                 "needs: so L and R are beyond a and b along T'. ")
+LOWERED = ("T' is a part of an edge of P4, whose ends moved by m: before, it was 1/2 long or longer, in triangles "
+           "sqrt(3)/6 (Appendix A), and parallel to B, 1/4 above it; the sine of its angle with B is 2 m over that at "
+           "most. It sank by at most n (1/2 + 10^-8), a motion of r/2 upright and 2^-17 to the side: a' and b', D <= "
+           "1/4 - n farther down, are n (1/2 - 10^-8) above B. ")
+TURNS = (*names(ANGLES[-2:]), *refinement.APPENDIX)
 GROUP = "paper-tube"
 THEOREMS = [
     Theorem("phase-1.snapped-angle", "claim", "edges at spokes and fans keep a sine of 1/4", (
@@ -191,6 +241,17 @@ THEOREMS = [
             IN_THE_FRAME + "L is 0.1289 or more from a, which is on P4; r/2 <= 1/21 and D is as in the script, with "
             "d3 = 4 sqrt 2 D is more. The triangle beside b is the mirror image.",
             "not tight: 1.12 times the bound, and that only with L on the other side of the line of T'"),
+    Theorem("phase-2.lower-feature-size", "part", "mfs(Q'') is at least half the spacing, less 10^-8 of it", (
+            *names(LOW_VERTEX[:3], UPPER, PROJECTION), *TURNS), IN_THE_FRAME + LOWERED + "Edges of Q'' that do not "
+            "meet are L R and a' b', and the two at L and R, which are 1.8 n apart along B. Missing are 10^-8 of the "
+            "spacing: abscissae are rounded by up to 2^-17 mfs, which adds to the motion across a slanted B.",
+            "half the spacing, less what rounding costs: a horizontal edge, vertices half way between levels"),
+    Theorem("phase-3.feature-size", "claim", "faces at the vertex of Q'' keep a quarter of the spacing, less a "
+            "millionth", (*names(LOW_VERTEX), *names(PROJECTION), *TURNS), IN_THE_FRAME + LOWERED + "The vertex "
+            "s is v above the middle between the feet of a' and b', v at most n/4 and less by one part in 2^22 at "
+            "most; d is half of that between the feet, |a' b'| >= 2 r. The faces (L, R, s) and (a', L, s) have mirror "
+            "images at R, and heights onto L R are v.",
+            "tight up to the millionth: a horizontal edge, vertices half way between levels"),
     Theorem("phase-4.spacing", "claim", "neighbours on a rectangle's top are the spacing apart or more",
             names(SPACING[:1]), "Ends of chords are strictly between the levels of the ends of their edge, which is "
             "not horizontal; they and the vertices of P4 are on levels, each on its own: so neighbours differ by r "

@@ -64,8 +64,9 @@ UNSETTLED = MappingProxyType({
     "section-2.p6-tiles": _RUN,
     "tube.tiles": _RUN,
     "phase-1.structure": _RUN,
-    "phase-2.lower-feature-size": _TUBE,
-    "phase-3.feature-size": _TUBE,
+    "phase-2.lower-feature-size": (
+        "proved but for 10^-8 of the spacing, which is what rounding abscissae by 2^-17 mfs may cost where a nearly "
+        "level edge snaps by almost half the grid; it holds on all instances"),
     "phase-3.tall": _TUBE,
     "theorem-1.triangulation": _RUN,
     "theorem-2.degradation": (

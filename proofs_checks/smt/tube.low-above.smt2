@@ -1,0 +1,16 @@
+; tube.low-above: (b', a', s) onto a' s
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const h Real)
+(declare-const k Real)
+(declare-const p Real)
+(declare-const v Real)
+(assert (>= (+ (* 1.0 p) (- (/ 5.0 4.0))) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 9.0 10.0))) 0.0))
+(assert (>= (+ (* 1.0 k) (- (/ 49999999.0 100000000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) v) (/ 1.0 4.0)) 0.0))
+(assert (>= (+ (* 1.0 v) (- (/ 4194303.0 16777216.0))) 0.0))
+(assert (>= (+ (* 1.0 h) (- (/ 49999999.0 100000000.0))) 0.0))
+(assert (> (+ (* (- 2.0) d d h k) (* 4.0 d d h v) (* (- 1.0) d d h h) (* 4.0 d d k v) (* (- 1.0) d d k k) (* (- 4.0) d d v v) (* (/ 999998000001.0 16000000000000.0) d d) (* (- (/ 999998000001.0 8000000000000.0)) k v) (* (/ 999998000001.0 16000000000000.0) k k) (* (/ 999998000001.0 16000000000000.0) v v)) 0.0))
+(check-sat)
