@@ -706,12 +706,13 @@ def test_cycles_are_the_same_however_their_rows_are_written() -> None:
 @pytest.mark.parametrize("block", range(10, 60))
 def test_rows_are_read_once_wherever_blocks_end(block: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(check, "_BLOCK", block)
+    between = ",\n" + 12 * " "
     places = [(k, -k) for k in range(40)]
-    tokens = check.Tokens(io.BytesIO(json.dumps([[str(x), str(y)] for x, y in places]).encode()), "FILE",
-                          check.Limits(items=1000))
+    rows = f"[{between.join(json.dumps([str(x), str(y)]) for x, y in places)}]"
+    tokens = check.Tokens(io.BytesIO(rows.encode()), "FILE", check.Limits(items=1000))
     assert check.points(tokens) == [(x, y, 1) for x, y in places] and tokens.items == 40
     lists = [[k, k + 1, k + 2] for k in range(40)]
-    tokens = check.Tokens(io.BytesIO(json.dumps(lists).encode()), "FILE", check.Limits(items=1000))
+    tokens = check.Tokens(io.BytesIO(f"[{between.join(map(str, lists))}]".encode()), "FILE", check.Limits(items=1000))
     found = check.cycles(tokens)
     assert [found[i].tolist() for i in range(len(found))] == lists and tokens.items == 160
 
