@@ -396,6 +396,8 @@ class TestNested:
         assert up * down == R2 and up - R2 / down == 0 and R2 / up - down == 0 and sqrt(1 + down) ** 2 == 1 + R2 / up
         assert sqrt((1 + R2) * (1 + R3)) == a * b == b * a and sqrt(5 + 5 * R2) - R5 * a == 0
         assert (a + b) - sqrt((1 + a) ** 2 * (1 + R3)) == a - a * b
+        for factor in (a - 3, 2 * a - 3, 3 - a):
+            assert (a + b) + sqrt(factor**2 * (1 + R3)) == a + b + abs(factor) * b
         tower = (Root((1 + R2)._element), Root((1 + R3)._element))
         found = nested.root_in(((1 + a) ** 2)._element, tower)
         assert found is not None and same(found * found, ((1 + a) ** 2)._element)
