@@ -40,7 +40,7 @@ Vectors = tuple[Floats, Floats]
 
 SLACK = 2.0**-44
 # Cells of at most this many vertices are compared with all their features.
-_LEAF = 4
+_LEAF = 8
 _ROUNDED, _REFINED, _RELATIVE = 2.0**-48, 2.0**-97, 2.0**-48
 _NOT_SMALL = 16.0
 # A rounded distance is good enough when its error is this small beside it.
