@@ -75,8 +75,9 @@ class Real:
         value = self._element.rational()
         if value is not None:
             return value, value
-        return next((lower, upper) for lower, upper in self._narrowing(bits + 8) if lower * upper > 0
-                    and (upper - lower) * mpq(2) ** bits <= min(abs(lower), abs(upper)))
+        # Zero is not between: there the bounds would be further apart than the smaller one is from zero.
+        return next((lower, upper) for lower, upper in self._narrowing(bits + 8)
+                    if (upper - lower) * mpq(2) ** bits <= min(abs(lower), abs(upper)))
 
     def decimal(self, digits: int = 12) -> str:
         """Return the value rounded to `digits` significant digits, for reading only."""
@@ -84,8 +85,8 @@ class Real:
         if value is not None:
             return decimal_text(value, digits)
         # An irrational number is never halfway between two decimals, so the two texts meet.
-        return next(text for lower, upper in self._narrowing(4 * digits + 16) if lower * upper > 0
-                    and (text := decimal_text(lower, digits)) == decimal_text(upper, digits))
+        return next(text for lower, upper in self._narrowing(4 * digits + 16)
+                    if (text := decimal_text(lower, digits)) == decimal_text(upper, digits))
 
     def expression(self) -> str:
         """Return the exact value as Python (with math.sqrt) and SymPy read it: `sqrt(2 - sqrt(2))/16`."""
@@ -130,8 +131,8 @@ class Real:
         if value is not None:
             return hash(value)
         # The leading 64 bits depend on the value alone; an irrational number has no second expansion.
-        return next(hash(leading) for lower, upper in self._narrowing(FIRST_BITS + 8) if lower * upper > 0
-                    and (leading := _leading_bits(lower)) == _leading_bits(upper))
+        return next(hash(leading) for lower, upper in self._narrowing(FIRST_BITS + 8)
+                    if (leading := _leading_bits(lower)) == _leading_bits(upper))
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Real) and self._apart(other):

@@ -481,6 +481,14 @@ class TestReal:
         assert R2 > 1 and R2 >= Fraction(7, 5) and R2 < mpq(3, 2) and R2 <= mpz(2) and 1 < R2 < 2  # noqa: SIM300
         assert (R2 - R2).sign() == 0 and R2.sign() == 1 and (-R2).sign() == -1 and (1 - DEEP).sign() == -1
 
+    def test_signs_that_64_bits_do_not_tell(self) -> None:
+        near = sqrt(10**60 + 1) - 10**30
+        assert near.sign() == 1 and (-near).sign() == -1 and abs(-near) == near
+        assert sqrt(Real(0)) == 0 == sqrt(near - near)
+        # The filter in front: apart in 64 bits, or not; and the sign of a difference.
+        assert R2._apart(R3) and R3._apart(R2) and not near._apart(Real(0)) and not R2._apart(R2)
+        assert (R2._compared(R3), R3._compared(R2), R2._compared(R2), near._compared(0)) == (-1, 1, 0, 1)
+
     def test_powers(self) -> None:
         x = 1 + R2
         product = Real(1)
@@ -498,6 +506,7 @@ class TestReal:
 
     def test_digits(self) -> None:
         assert R2.decimal() == "1.41421356237" and Real(Fraction(1, 3)).decimal() == "0.333333333333"
+        assert Real(Fraction(1, 3)).decimal(3) == "0.333"
         assert R2.decimal(1) == "1" and (-R3).decimal(3) == "-1.73"
         assert sqrt(2 + R2).decimal(
             30) == "1.84775906502257351225636637879"
@@ -540,7 +549,8 @@ class TestReal:
             1 / Real(0)
 
     def test_signs_and_absolute_values(self) -> None:
-        assert +R2 is R2 and abs(R2) is R2 and abs(-R2) == R2 and abs(Real()) == 0 and bool(R2) and not Real()
+        zero = Real()
+        assert abs(zero) is zero and +R2 is R2 and abs(R2) is R2 and abs(-R2) == R2 and abs(Real()) == 0 and bool(R2) and not Real()
 
 
 class TestRootTexts:
