@@ -550,7 +550,8 @@ class TestReal:
 
     def test_signs_and_absolute_values(self) -> None:
         zero = Real()
-        assert abs(zero) is zero and +R2 is R2 and abs(R2) is R2 and abs(-R2) == R2 and abs(Real()) == 0 and bool(R2) and not Real()
+        assert abs(zero) is zero
+        assert +R2 is R2 and abs(R2) is R2 and abs(-R2) == R2 and abs(Real()) == 0 and bool(R2) and not Real()
 
 
 class TestRootTexts:
