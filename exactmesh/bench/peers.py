@@ -45,7 +45,8 @@ def _geos(pslg: Pslg) -> tuple[Work, Work]:
     import shapely
 
     at = [(float(p.x), float(p.y)) for p in pslg.vertices]
-    lines = shapely.MultiLineString([[at[u], at[v]] for u, v in pslg.edges])
+    # In one piece, which takes GEOS less time and memory than loose edges.
+    lines = shapely.line_merge(shapely.MultiLineString([[at[u], at[v]] for u, v in pslg.edges]))
     return lambda: minimum_feature_size(pslg), lambda: shapely.minimum_clearance(lines)
 
 
