@@ -24,8 +24,8 @@ def add(commands: Subparsers) -> None:
     command.add_argument("--construction", choices=("repaired", "paper", "classic"))
     command.add_argument("--kind", choices=KINDS)
     command.add_argument("--strategy", choices=[name for name in STRATEGIES if name != "inputs"], default="climb",
-                         help="exhaustive: all lattice polygons; random: figures of a family; climb, anneal: local search "
-                         "from random starts; guided: hypothesis' target (default: climb)")
+                         help="exhaustive: all lattice polygons; random: figures of a family; climb, anneal: local "
+                         "search from random starts; guided: hypothesis' target (default: climb)")
     command.add_argument("--family", metavar="NAME[:KEY=N,..]", default="stretched",
                          help=f"lattice:n=4,m=3, {', '.join(FAMILIES)}, or path.py:function (default: stretched)")
     command.add_argument("--seed", type=int, default=0)

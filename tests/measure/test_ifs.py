@@ -202,7 +202,8 @@ def test_below_the_resolution_of_floats() -> None:
     room = families.ring([(0, 0), (10, 0), (10, 10), (6, 10), (5, tiny), (4, 10), (0, 10)])
     assert found(room) == Nearest(tiny * tiny, 4, (0, 1))
     two = Pslg((*room.vertices, *constructions.graph([(7, 1), (8, 1)]).vertices), room.edges)
-    nearer = families.moved_by(two, lambda p: (p.x, p.y if p.y != 1 else tiny * (1 if p.x == 7 else mpq(999, 1000))), "")
+    nearer = families.moved_by(
+        two, lambda p: (p.x, p.y if p.y != 1 else tiny * (1 if p.x == 7 else mpq(999, 1000))), "")
     assert found(nearer) == Nearest(tiny * tiny * mpq(999, 1000) ** 2, 8, (0, 1))
 
 
