@@ -59,7 +59,7 @@ def _triangle(pslg: Pslg) -> tuple[Work, Work]:
 
 
 def _sect(pslg: Pslg) -> tuple[Work, Work]:
-    from ground.base import get_context  # type: ignore[import-untyped]
+    from ground.base import get_context
     from sect.triangulation import Triangulation
 
     context = get_context()
