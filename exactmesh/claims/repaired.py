@@ -6,10 +6,10 @@ from exactmesh.measure.verdict import Verdict
 from exactmesh.planar.mesh import Kind
 from exactmesh.steps import mesh_check, offset_check, patch_check, shape_check, trapezoidation_check
 from exactmesh.steps.constants import (
+    CHORD_GAP,
     DESIGN_DEGRADATION,
     EDGE_GAP,
     FEATURE,
-    GAP,
     LEVEL,
     PAPER_DEGRADATION,
     PROPER_FACTOR,
@@ -131,7 +131,7 @@ REPAIRED_CLAIMS: tuple[Claim, ...] = (
     Claim("repaired.trapezoidation", _REPAIRED, "the trapezoids tile the inside of Q",
           _GIVEN, "", "truth", _RUNS, _trapezoids_tile, kinds=_ALL),
     Claim("repaired.chord-gap", _REPAIRED, "a T-vertex keeps its distance from other vertices of Q on its side (I4)",
-          _GIVEN, f">= {GAP} mfs", "square", _RUNS, _chord_gap, kinds=_ALL),
+          _GIVEN, f">= {CHORD_GAP} mfs", "square", _RUNS, _chord_gap, kinds=_ALL),
     Claim("repaired.chord-leg", _REPAIRED, "a T-vertex keeps its distance from the legs (I4)",
           _GIVEN, f">= {SEPARATION} mfs", "square", _RUNS, _chord_leg, kinds=_ALL),
     Claim("repaired.chord-touch", _REPAIRED, "each horizontal side holds a vertex of Q (I5)",

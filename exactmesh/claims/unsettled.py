@@ -93,9 +93,7 @@ UNSETTLED = MappingProxyType({
         "there is nothing to prove: between two reflex corners the segment is the edge, moved"),
     "repaired.offset-nesting": _CHAIN,
     "repaired.trapezoidation": _RUN,
-    "repaired.chord-gap": _CHAIN,
     "repaired.chord-touch": _RUN,
-    "repaired.edge-gap": "it rests on `repaired.chord-gap`, and is as far proved as that",
     "repaired.interior-tiling": _RUN,
     "repaired.interior-feature": (
         "clean trapezoids, wedges and cross edges are proved; pieces with a short clean side, and the split into cases"

@@ -3,7 +3,7 @@
 Tiling   each trapezoid is a quadrilateral (or triangle) between two levels with its legs on edges of Q, its sides list
          all vertices on them, and the boundaries of all trapezoids add up to Q: so they tile the inside of Q, and no
          vertex lies inside one.
-I4       two vertices of Q on one horizontal side, one of them a T-vertex, are 0.15 apart or more; a T-vertex keeps
+I4       two vertices of Q on one horizontal side, one of them a T-vertex, are 0.0688 apart or more; a T-vertex keeps
          0.0599 from both legs.
 I5       each horizontal side holds a vertex of Q.
 I5'      a corner that is no vertex of Q is on an edge of Q that goes on for at least one level beyond it.
@@ -24,7 +24,7 @@ from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import orientation
 from exactmesh.measure.verdict import Tally, Verdict, failed
 from exactmesh.planar.cycles import directed_edges
-from exactmesh.steps.constants import GAP, LEVEL, SEPARATION
+from exactmesh.steps.constants import CHORD_GAP, LEVEL, SEPARATION
 from exactmesh.steps.edge_chains import Chains, Misplaced, chain_sides, edge_chains
 from exactmesh.steps.filtered_tally import see_worst
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
@@ -64,7 +64,7 @@ def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point]
 
 def check_gaps(offset: Offset, chords: Trapezoidation, points: Sequence[Point]) -> tuple[Verdict, Verdict]:
     """Return the verdicts on the least squared gap along a side and the least squared distance to a leg (I4)."""
-    gaps = Tally("gap to a T-vertex >= 0.15", ">=", GAP**2)
+    gaps = Tally("gap to a T-vertex >= 0.0688", ">=", CHORD_GAP**2)
     legs = Tally("T-vertex to leg >= 0.0599", ">=", SEPARATION**2)
     first, end = offset.first, chords.first
     gap: list[tuple[int, int, int]] = []

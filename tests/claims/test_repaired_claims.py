@@ -17,6 +17,7 @@ from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest
 from exactmesh.measure.validity import verify_mesh
 from exactmesh.repaired import Construction
+from exactmesh.steps.constants import CHORD_GAP, GAP
 from exactmesh.steps.records import Patch, Trapezoid
 
 # Permanent: an id is never changed, and a withdrawn one is never used again.
@@ -90,6 +91,12 @@ def test_all_hold_on_good_runs(pslg: Any) -> None:
 def test_a_claim_without_instances_holds_and_says_so() -> None:
     found = {j.claim.id: j.verdict for j in judge(run(ALL_SMALL["triangle"]))}
     assert found["repaired.chord-gap"].instances == 0 and found["repaired.chord-gap"].holds
+
+
+def test_corners_of_a_rhombus_that_snap_to_one_level_are_less_than_a_cap_apart() -> None:
+    found = {j.claim.id: j.verdict for j in judge(run(graph([(0, 0), (1, 2), (0, 4), (-1, 2)])))}
+    gap = found["repaired.chord-gap"]
+    assert gap.holds and gap.worst is not None and CHORD_GAP**2 < gap.worst < GAP**2 / 2
 
 
 # --- harm ---
