@@ -1,4 +1,5 @@
-"""Prove I4 of the repaired construction: a T-vertex v keeps 0.0688 from its neighbour c in Q on a horizontal side.
+"""Prove I4 of the repaired construction: a T-vertex v keeps 0.15 from its neighbour c in Q on a horizontal side when a
+chord joins them, and 0.0688 when an edge of Q does.
 
 Given   mfs 1 (m <= mfs). K1, K2, rho as in `repaired_separation`; b, a, g of K1; 0.4247 the reach of K1. A vertex of Q
         is p + k (a cap, or a corner whose edges share the extreme k), or the crossing of two offset edges (convex).
@@ -20,7 +21,7 @@ from gmpy2 import mpq
 from kit import Hint, Statement, Theorem, at_least, bounded, main, more, square, states
 
 from exactmesh.proofs.polynomial import variables
-from exactmesh.steps.constants import CHORD_GAP, EDGE_GAP, FLAT, GAP, LEVEL, SEPARATION, THICKNESS_MAX, WIDE
+from exactmesh.steps.constants import EDGE_GAP, FLAT, GAP, LEVEL, LEVEL_EDGE, SEPARATION, THICKNESS_MAX, WIDE
 
 x, y = variables("x y")
 REACH = mpq(4247, 10000)
@@ -33,7 +34,7 @@ def edge(name: str, kx: mpq, ky: mpq) -> Statement:
     """Return that a level edge is 0.0688 long where k - k1 is that vertex of 2 K1."""
     return bounded(f"gaps.edge-{name}", f"the ends of a level e', where k - k1 is the {name} vertex of 2 K1",
                    (at_least(x), *LEVELLED, at_least((kx + x)**2 + (ky + y)**2, 1)),
-                   lambda f: at_least(x, CHORD_GAP * mpq(f)), Hint(squares=(x - mpq(7, 100), x, y)))
+                   lambda f: at_least(x, LEVEL_EDGE * mpq(f)), Hint(squares=(x - mpq(7, 100), x, y)))
 
 
 # k = (b, g/2) is extreme for n = (-dy, dx) or its opposite: dx and dy are of opposite signs, and steep; k = (a, 3g/2)
@@ -123,7 +124,9 @@ FOOT_CASES = (
 GROUP = "gaps"
 NAMES = tuple(statement.id for statement in STATEMENTS)
 THEOREMS = [
-    Theorem("repaired.chord-gap", "claim", "a T-vertex keeps 0.0688 from vertices of Q beside it",
+    Theorem("repaired.chord-gap", "claim", "along a chord a T-vertex keeps 0.15 from vertices of Q beside it",
+            (*NAMES, "offset.separation", "offset.reaches"), CASES, "0.15 is the width of a flat cap"),
+    Theorem("repaired.level-edge", "claim", "a level edge of Q at a T-vertex is 0.0688 long or longer",
             (*NAMES, "offset.separation", "offset.reaches"), CASES, "0.0702 in a parallelogram"),
     Theorem("repaired.edge-gap", "claim", "neighbours on an edge of Q keep 0.134", NAMES, FOOT_CASES + " " + CASES,
             "0.1497 from the near corner is proved"),

@@ -6,11 +6,12 @@ from exactmesh.measure.verdict import Verdict
 from exactmesh.planar.mesh import Kind
 from exactmesh.steps import mesh_check, offset_check, patch_check, shape_check, trapezoidation_check
 from exactmesh.steps.constants import (
-    CHORD_GAP,
     DESIGN_DEGRADATION,
     EDGE_GAP,
     FEATURE,
+    GAP,
     LEVEL,
+    LEVEL_EDGE,
     PAPER_DEGRADATION,
     PROPER_FACTOR,
     PROPER_VERTICES_PER_CORNER,
@@ -56,8 +57,12 @@ def _chord_gap(run: Run) -> Verdict:
     return run.chord_gaps[0]
 
 
-def _chord_leg(run: Run) -> Verdict:
+def _level_edge(run: Run) -> Verdict:
     return run.chord_gaps[1]
+
+
+def _chord_leg(run: Run) -> Verdict:
+    return run.chord_gaps[2]
 
 
 def _chord_touch(run: Run) -> Verdict:
@@ -131,7 +136,9 @@ REPAIRED_CLAIMS: tuple[Claim, ...] = (
     Claim("repaired.trapezoidation", _REPAIRED, "the trapezoids tile the inside of Q",
           _GIVEN, "", "truth", _RUNS, _trapezoids_tile, kinds=_ALL),
     Claim("repaired.chord-gap", _REPAIRED, "a T-vertex keeps its distance from other vertices of Q on its side (I4)",
-          _GIVEN, f">= {CHORD_GAP} mfs", "square", _RUNS, _chord_gap, kinds=_ALL),
+          (*_GIVEN, "no edge of Q joins the two"), f">= {GAP} mfs", "square", _RUNS, _chord_gap, kinds=_ALL),
+    Claim("repaired.level-edge", _REPAIRED, "a level edge of Q at a T-vertex keeps its length (I4)",
+          _GIVEN, f">= {LEVEL_EDGE} mfs", "square", _RUNS, _level_edge, kinds=_ALL),
     Claim("repaired.chord-leg", _REPAIRED, "a T-vertex keeps its distance from the legs (I4)",
           _GIVEN, f">= {SEPARATION} mfs", "square", _RUNS, _chord_leg, kinds=_ALL),
     Claim("repaired.chord-touch", _REPAIRED, "each horizontal side holds a vertex of Q (I5)",

@@ -128,8 +128,8 @@ class Run:
         return check_thickness(self.repaired.shape, self.repaired.offset, self.columns)
 
     @cached_property
-    def chord_gaps(self) -> tuple[Verdict, Verdict]:
-        """The verdicts on the distances of T-vertices from neighbours and from legs."""
+    def chord_gaps(self) -> tuple[Verdict, Verdict, Verdict]:
+        """The verdicts on the distances of T-vertices from neighbours, by chords and by edges of Q, and from legs."""
         return check_gaps(self.repaired.offset, self.repaired.trapezoidation, self.columns)
 
     @cached_property

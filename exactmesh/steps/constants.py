@@ -23,10 +23,10 @@ UNIT_SLACK = mpq(1, 10**6)
 # rho and F, rounded to the safe side because they are irrational.
 THICKNESS_MAX = mpq(4701, 10000)
 SEPARATION = mpq(599, 10000)
-# The least gap between two vertices of Q on one side of a chord, unless they end one edge: the width of a flat cap.
+# The least gap between two vertices of Q on one side of a chord, unless an edge joins them: the width of a flat cap.
 GAP = 2 * FLAT
-# The same where the two are convex corners whose common edge was made level by snapping.
-CHORD_GAP = mpq(43, 625)
+# The least length of a level edge of Q at a T-vertex: snapping may level the edge between two convex corners.
+LEVEL_EDGE = mpq(43, 625)
 # The same between vertices recorded on an edge of Q.
 EDGE_GAP = mpq(67, 500)
 

@@ -3,8 +3,8 @@
 Tiling   each trapezoid is a quadrilateral (or triangle) between two levels with its legs on edges of Q, its sides list
          all vertices on them, and the boundaries of all trapezoids add up to Q: so they tile the inside of Q, and no
          vertex lies inside one.
-I4       two vertices of Q on one horizontal side, one of them a T-vertex, are 0.0688 apart or more; a T-vertex keeps
-         0.0599 from both legs.
+I4       two neighbouring vertices of Q on one horizontal side, one of them a T-vertex, are 0.15 apart or more along a
+         chord, and 0.0688 along an edge of Q, which may have become level; a T-vertex keeps 0.0599 from both legs.
 I5       each horizontal side holds a vertex of Q.
 I5'      a corner that is no vertex of Q is on an edge of Q that goes on for at least one level beyond it.
 """
@@ -24,7 +24,7 @@ from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import orientation
 from exactmesh.measure.verdict import Tally, Verdict, failed
 from exactmesh.planar.cycles import directed_edges
-from exactmesh.steps.constants import CHORD_GAP, LEVEL, SEPARATION
+from exactmesh.steps.constants import GAP, LEVEL, LEVEL_EDGE, SEPARATION
 from exactmesh.steps.edge_chains import Chains, Misplaced, chain_sides, edge_chains
 from exactmesh.steps.filtered_tally import see_worst
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
@@ -62,28 +62,40 @@ def check_tiling(offset: Offset, chords: Trapezoidation, points: Sequence[Point]
     return Verdict(count, True)
 
 
-def check_gaps(offset: Offset, chords: Trapezoidation, points: Sequence[Point]) -> tuple[Verdict, Verdict]:
-    """Return the verdicts on the least squared gap along a side and the least squared distance to a leg (I4)."""
-    gaps = Tally("gap to a T-vertex >= 0.0688", ">=", CHORD_GAP**2)
+def check_gaps(offset: Offset, chords: Trapezoidation, points: Sequence[Point]
+               ) -> tuple[Verdict, Verdict, Verdict]:
+    """Return the verdicts on the least squared gaps along a chord and along an edge of Q, and to a leg (I4)."""
+    gaps = Tally("gap to a T-vertex >= 0.15", ">=", GAP**2)
+    edges = Tally("level edge at a T-vertex >= 0.0688", ">=", LEVEL_EDGE**2)
     legs = Tally("T-vertex to leg >= 0.0599", ">=", SEPARATION**2)
     first, end = offset.first, chords.first
     gap: list[tuple[int, int, int]] = []
+    edge: list[tuple[int, int, int]] = []
+    following = offset.successors()
     leg: list[tuple[int, int, int, int]] = []
     for number, z in enumerate(chords.trapezoids):
         for left, inner, right in ((z.bl, z.bottom, z.br), (z.tl, z.top, z.tr)):
             if inner:
-                gap += [(number, u, v) for u, v in pairwise((left, *inner, right)) if first <= u < end > v >= first]
+                for u, v in pairwise((left, *inner, right)):
+                    if first <= u < end > v >= first:
+                        joined = following[u - first] == v - first or following[v - first] == u - first
+                        (edge if joined else gap).append((number, u, v))
                 leg += [(number, v, a, b) for v in inner for a, b in ((z.bl, z.tl), (z.br, z.tr))]
     columns = columns_of(points)
-    _, u, v = _table(gap, 3)
-    widths = (columns.x[v] - columns.x[u]).squared()
-    see_worst(gaps, "chord gap", widths, lambda i: (points[v[i]].x - points[u[i]].x) ** 2, lambda i: {
-        "trapezoid": gap[i][0], "vertices": list(gap[i][1:]), "at": str(points[gap[i][1]])})
+    for tally, pairs in ((gaps, gap), (edges, edge)):
+        _see_widths(tally, pairs, columns, points)
     _, t, a, b = _table(leg, 4)
     see_worst(legs, "chord leg", columns.segment_distances_squared(t, a, b),
               lambda i: segment_distance_squared(points[t[i]], points[a[i]], points[b[i]]), lambda i: {
                   "trapezoid": leg[i][0], "vertex": leg[i][1], "at": str(points[leg[i][1]])})
-    return gaps.verdict(), legs.verdict()
+    return gaps.verdict(), edges.verdict(), legs.verdict()
+
+
+def _see_widths(tally: Tally, pairs: Sequence[tuple[int, int, int]], columns: Columns, points: Sequence[Point]) -> None:
+    _, u, v = _table(pairs, 3)
+    see_worst(tally, "chord gap", (columns.x[v] - columns.x[u]).squared(),
+              lambda i: (points[v[i]].x - points[u[i]].x) ** 2, lambda i: {
+                  "trapezoid": pairs[i][0], "vertices": list(pairs[i][1:]), "at": str(points[pairs[i][1]])})
 
 
 def check_touch(offset: Offset, chords: Trapezoidation) -> Verdict:

@@ -2,12 +2,13 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
 import pytest
 from constructions import HALL, graph
-from families import ALL_SMALL
+from families import ALL_SMALL, comb
 from gmpy2 import mpq
 
 from exactmesh.api import mesh
@@ -17,19 +18,21 @@ from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest
 from exactmesh.measure.validity import verify_mesh
 from exactmesh.repaired import Construction
-from exactmesh.steps.constants import CHORD_GAP, GAP
+from exactmesh.steps.constants import GAP, LEVEL_EDGE
 from exactmesh.steps.records import Patch, Trapezoid
 
 # Permanent: an id is never changed, and a withdrawn one is never used again.
 IDS = [
     "repaired.unit", "repaired.offset-thickness", "repaired.offset-reach", "repaired.offset-separation",
-    "repaired.offset-nesting", "repaired.trapezoidation", "repaired.chord-gap", "repaired.chord-leg",
-    "repaired.chord-touch", "repaired.chord-clearance", "repaired.caps-whole", "repaired.edge-gap",
+    "repaired.offset-nesting", "repaired.trapezoidation", "repaired.chord-gap", "repaired.level-edge",
+    "repaired.chord-leg", "repaired.chord-touch", "repaired.chord-clearance", "repaired.caps-whole",
+    "repaired.edge-gap",
     "repaired.interior-tiling", "repaired.interior-feature", "repaired.tube-tiling", "repaired.tube-feature",
     "repaired.steiner-count", "repaired.degradation",
     "theorem-1.triangulation", "theorem-1.feature-size", "theorem-1.degradation",
 ]
 COMB = ALL_SMALL["turned comb"]
+FLOOR = comb(3)
 Harm = Callable[[Run], None]
 
 
@@ -95,8 +98,8 @@ def test_a_claim_without_instances_holds_and_says_so() -> None:
 
 def test_corners_of_a_rhombus_that_snap_to_one_level_are_less_than_a_cap_apart() -> None:
     found = {j.claim.id: j.verdict for j in judge(run(graph([(0, 0), (1, 2), (0, 4), (-1, 2)])))}
-    gap = found["repaired.chord-gap"]
-    assert gap.holds and gap.worst is not None and CHORD_GAP**2 < gap.worst < GAP**2 / 2
+    edge = found["repaired.level-edge"]
+    assert edge.holds and edge.worst is not None and LEVEL_EDGE**2 < edge.worst < GAP**2 / 2
 
 
 # --- harm ---
@@ -168,9 +171,10 @@ def t_vertex_at(share: Any) -> Harm:
     return rebuild(change)
 
 
-def close_t_vertices(done: Run) -> None:
-    """Move a T-vertex next to another vertex of Q on its side."""
+def close_t_vertices(done: Run, joined: bool = False) -> None:
+    """Move a T-vertex next to another vertex of Q on its side, one that an edge of Q joins to it or not."""
     made = done.repaired
+    following = made.offset.successors()
     q = range(made.offset.first, made.trapezoidation.first)
     for z in made.trapezoidation.trapezoids:
         for row in ((z.bl, *z.bottom, z.br), (z.tl, *z.top, z.tr)):
@@ -178,6 +182,8 @@ def close_t_vertices(done: Run) -> None:
                 if len(row) > 2 and u in q and v in q:
                     k = (u if u in row[1:-1] else v) - made.offset.first
                     other = (v if u in row[1:-1] else u) - made.offset.first
+                    if joined is not (following[k] == other or following[other] == k):
+                        continue
                     points = near(made.offset.points, k, other)
                     vars(done)["repaired"] = replace(made, offset=replace(made.offset, points=points))
                     return
@@ -223,7 +229,8 @@ HARMS: list[tuple[Any, Harm, str]] = [
     (COMB, part("offset", points=lambda points: near(points, 0, 1)), "repaired.offset-separation"),
     (COMB, part("offset", points=lambda points: moved(points, 0, 0, "1/1000")), "repaired.offset-nesting"),
     (COMB, part("trapezoidation", trapezoids=lambda zs: zs[1:]), "repaired.trapezoidation"),
-    (HALL, close_t_vertices, "repaired.chord-gap"),
+    (FLOOR, close_t_vertices, "repaired.chord-gap"),
+    (HALL, partial(close_t_vertices, joined=True), "repaired.level-edge"),
     (HALL, t_vertex_at("1/1000"), "repaired.chord-leg"),
     (RECTANGLE, needless_chord, "repaired.chord-touch"),
     (COMB, rebuild(chord_end_near_an_end), "repaired.chord-clearance"),

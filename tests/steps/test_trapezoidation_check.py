@@ -8,7 +8,7 @@ from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
 from exactmesh.steps import trapezoidation_check
-from exactmesh.steps.constants import CHORD_GAP, LEVEL, SEPARATION
+from exactmesh.steps.constants import GAP, LEVEL, LEVEL_EDGE, SEPARATION
 from exactmesh.steps.records import Trapezoid, Trapezoidation
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.trapezoidation_check import check_clearance, check_gaps, check_tiling, check_touch
@@ -83,7 +83,8 @@ INSIDE, HEIGHT, ON_LEVEL = "a chord end lies inside its edge", "a trapezoid has 
 ORDER, HAS_INSIDE = "a side runs from left to right", "a trapezoid has an inside"
 LEG, OVERLAP, SUM = ("a leg lies on its edge of Q", "trapezoids do not overlap",
                      "the trapezoids' boundaries add up to Q")
-GAPS, TO_LEG = "gap to a T-vertex >= 0.0688", "T-vertex to leg >= 0.0599"
+GAPS, TO_LEG = "gap to a T-vertex >= 0.15", "T-vertex to leg >= 0.0599"
+LEVEL_AT = "level edge at a T-vertex >= 0.0688"
 TOUCH, GOES_ON = "vertices of Q on a side >= 1", "the edge goes on for g or more"
 # The room's trapezoids: those with T-vertices above and below come after the two beside the block.
 WITH_TOP = next(i for i, z in enumerate(CHORDS.trapezoids) if z.top)
@@ -109,7 +110,8 @@ HARMS = [
 ]
 # Not harmed but badly made: rings that break an invariant, and what refuses their trapezoidation.
 BAD_RINGS = [
-    ([(0, 0), (9, 0), (9, 5), ("32/10", 5), ("306/100", 2), ("3", 2), ("29/10", 5), (0, 5)], GAPS),
+    ([(0, 0), (9, 0), (9, 5), ("32/10", 5), ("306/100", 2), ("3", 2), ("29/10", 5), (0, 5)], LEVEL_AT),
+    ([(0, 0), (9, 0), (9, 5), (5, 5), ("314/100", 2), ("310/100", 5), ("305/100", 5), (3, 2), (2, 5), (0, 5)], GAPS),
     ([(0, 0), (9, 0), (9, 5), ("1/10", 5), ("1/20", 2), ("1/50", 5), (0, 5)], TO_LEG),
 ]
 
@@ -153,13 +155,18 @@ def test_a_needless_chord_is_refused_although_the_trapezoids_tile():
 
 
 def test_the_bounds_themselves_are_allowed():
-    exact = rings_on_levels([(0, 0), (9, 0), (9, 5), (4, 5), (3 + CHORD_GAP, 2), (3, 2), (2, 5), (0, 5)])
+    exact = rings_on_levels([(0, 0), (9, 0), (9, 5), (4, 5), (3 + LEVEL_EDGE, 2), (3, 2), (2, 5), (0, 5)])
     chords = trapezoidate(exact)
-    gaps, _ = check_gaps(exact, chords, points_of(exact, chords))
-    assert gaps.holds and gaps.worst == CHORD_GAP**2
+    gaps, edges, _ = check_gaps(exact, chords, points_of(exact, chords))
+    assert gaps.instances == 0 and edges.holds and edges.worst == LEVEL_EDGE**2
+    apart = rings_on_levels([(0, 0), (9, 0), (9, 5), (6, 5), (3 + GAP, 2), (mpq(31, 10), 5), (mpq(305, 100), 5), (3, 2),
+                             (2, 5), (0, 5)])
+    chords = trapezoidate(apart)
+    gaps, _, _ = check_gaps(apart, chords, points_of(apart, chords))
+    assert gaps.holds and gaps.worst == GAP**2
     leg = rings_on_levels([(0, 0), (9, 0), (9, 5), (1, 5), (SEPARATION, 2), (mpq(1, 100), 5), (0, 5)])
     chords = trapezoidate(leg)
-    _, legs = check_gaps(leg, chords, points_of(leg, chords))
+    _, _, legs = check_gaps(leg, chords, points_of(leg, chords))
     assert legs.holds and legs.worst == SEPARATION**2
 
 
@@ -172,7 +179,7 @@ def test_only_gaps_at_t_vertices_count():
     # The top is short and clean: that is no gap of I4.
     q = rings_on_levels([(0, 0), (5, 0), ("1/10", 3), (0, 3)])
     chords = trapezoidate(q)
-    assert [v.instances for v in check_gaps(q, chords, points_of(q, chords))] == [0, 0]
+    assert [v.instances for v in check_gaps(q, chords, points_of(q, chords))] == [0, 0, 0]
 
 
 @pytest.mark.parametrize("number", range(len(CHORDS.trapezoids)))
