@@ -14,7 +14,7 @@ from exactmesh.measure.validity import Verification
 from exactmesh.measure.verdict import Verdict
 
 # What is done by one process, the longest first; claims by the beginnings of their names.
-_TASKS = (("",), ("repaired.offset-nesting",), ("repaired.trapezoidation", "repaired.chord-"),
+_TASKS = (("",), ("repaired.offset-nesting",), ("repaired.trapezoidation", "repaired.chord-", "repaired.level-"),
           ("repaired.unit", "repaired.offset-thickness", "repaired.offset-reach", "repaired.offset-separation"),
           ("repaired.caps-", "repaired.edge-", "repaired.interior-", "repaired.tube-"))
 
