@@ -1,5 +1,6 @@
 """Pages that mkdocs builds from the ledger of claims: one for each theorem, and the errata of the paper."""
 
+import json
 import re
 from itertools import groupby
 from typing import Any
@@ -13,6 +14,7 @@ from exactmesh.io.export import export_pslg
 from exactmesh.io.read import read_pslg
 from exactmesh.proofs.registry import theorems
 from exactmesh.report_ledger import entry_text
+from exactmesh.search.catalogue import CATALOGUE
 
 # Beyond this ratio of its sides a picture is a line.
 _SLENDER = 200
@@ -60,6 +62,7 @@ def _chapter(claim: Claim) -> str:
 
 def _page(chapter: str, entries: list[Entry]) -> str:
     parts = [f"# {chapter}\n"]
+    finds = [json.loads(CATALOGUE.path(name).read_text(encoding="utf-8")) for name in CATALOGUE.names()]
     for entry in entries:
         claim = entry.claim
         parts.append(f"## {claim.says}\n\n```text\n{entry_text(entry)}\n```\n")
@@ -67,6 +70,8 @@ def _page(chapter: str, entries: list[Entry]) -> str:
             parts.append(f"Checked by `{claim.check.__module__}.{claim.check.__qualname__}`.\n")
         parts += [f"{theorem.shows.capitalize()}: {theorem.says} ({len(theorem.problems)} problems in exact algebra: "
                   f"`exactmesh prove {claim.id}`)\n" for theorem in theorems() if theorem.claim == claim.id]
+        parts += [f"Worst found, {find['worst']} ({find['target'][1]}, {find['target'][2]}): `{find['command']}`\n"
+                  for find in finds if find["target"][0] == claim.id]
         witnesses = dict.fromkeys(judged.witness for judged in entry.judged if judged.witness)
         parts += [f"The input `{name}`:\n\n{_picture(name)}\n" for name in witnesses]
     return "\n".join(parts)

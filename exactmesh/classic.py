@@ -198,8 +198,14 @@ def _best_triangles(points: list[Point], visible: NDArray[np.bool_]) -> list[Tri
                 if is_less(greatest, low):
                     greatest, third[i][j] = low, k
             best[i][j] = greatest
+    return chosen_triangles(third)
+
+
+def chosen_triangles(third: list[list[int]]) -> list[Triangle]:
+    """Return the triangles of a polygon of n corners, from the side (0, n - 1) on: `third[i][j]` is the third corner of
+    that on (i, j)."""
     triangles = []
-    pending = [(0, count - 1)]
+    pending = [(0, len(third) - 1)]
     while pending:
         i, j = pending.pop()
         if j > i + 1:

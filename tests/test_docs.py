@@ -43,4 +43,6 @@ def test_the_site_is_built_with_strict_links(tmp_path: Path) -> None:
     assert "theorem-1.degradation" in errata and "lemma-1.degradation" not in errata
     assert "Re-checked" in (tmp_path / "theorems" / "lemma-1" / "index.html").read_text(encoding="utf-8").replace(
         "re-checked", "Re-checked")
+    chain = (tmp_path / "theorems" / "the-repaired-construction" / "index.html").read_text(encoding="utf-8")
+    assert "Worst found, 21.55" in chain
     assert (tmp_path / "reference" / "index.html").read_text(encoding="utf-8").count("exactmesh.api") > 5

@@ -17,6 +17,7 @@ from exactmesh.search.store import Store
 
 
 def add_engine(command: argparse.ArgumentParser) -> None:
+    """Add where tasks run, where results are kept, and what ends a run before its end."""
     command.add_argument("--store", metavar="FILE", required=True, help="where results are kept (SQLite)")
     command.add_argument("--resume", action="store_true", help="go on with a run that is in the store")
     command.add_argument("--time-limit", metavar="SECONDS", type=positive, help="hand out no task after this time")

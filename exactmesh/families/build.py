@@ -25,6 +25,7 @@ def ring(corners: Iterable[Sequence[Number]], name: str = "") -> Pslg:
 
 
 def near_circle(n: int) -> list[Pair]:
+    """Return n rational points of the unit circle, near the corners of the regular n-gon."""
     points: list[Pair] = []
     for i in range(n):
         quarter = round(4 * i / n)
@@ -67,8 +68,10 @@ class Builder:
 
 
 def place(p: Pair, shift: Pair, unit: Number) -> Point:
+    """Return the point p, scaled by `unit` and then shifted."""
     return Point(mpq(shift[0]) + mpq(p[0]) * mpq(unit), mpq(shift[1]) + mpq(p[1]) * mpq(unit))
 
 
 def cycle(n: int) -> list[Edge]:
+    """Return the edges of a ring through the vertices 0, .., n - 1."""
     return [(i, (i + 1) % n) for i in range(n)]

@@ -12,6 +12,7 @@ from exactmesh.planar.pslg import Edge, Pslg
 
 
 def moved_by(pslg: Pslg, move: Callable[[Point], Pair], what: str) -> Pslg:
+    """Return a PSLG with all vertices and hole points moved; `what` is added to its name."""
     def moved(p: Point) -> Point:
         x, y = move(p)
         return Point(mpq(x), mpq(y))

@@ -5,12 +5,11 @@ On floats, for proposals. No visibility is tested: triangles that all turn left 
 
 from collections.abc import Sequence
 
+from exactmesh.classic import Triangle, chosen_triangles
 from exactmesh.optimize.place import Spot, height
 
-Corners = tuple[int, int, int]
 
-
-def best_triangles(ring: Sequence[Spot], low: float, high: float) -> tuple[float, list[Corners]]:
+def best_triangles(ring: Sequence[Spot], low: float, high: float) -> tuple[float, list[Triangle]]:
     """Return the least height, up to `high`, and the triangles, as places in the ring; none unless it exceeds `low`.
     """
     count = len(ring)
@@ -33,12 +32,4 @@ def best_triangles(ring: Sequence[Spot], low: float, high: float) -> tuple[float
             third[i][j] = at
     if best[0][count - 1] <= low:
         return low, []
-    triangles = []
-    pending = [(0, count - 1)]
-    while pending:
-        i, j = pending.pop()
-        if j > i + 1:
-            k = third[i][j]
-            triangles.append((i, k, j))
-            pending += [(i, k), (k, j)]
-    return best[0][count - 1], triangles
+    return best[0][count - 1], chosen_triangles(third)

@@ -120,3 +120,17 @@ def test_two_files_for_triangle(tmp_path: Path, capsys: pytest.CaptureFixture[st
     capsys.readouterr()
     cli.main(["degradation", source, str(tmp_path / "m.1.ele"), "--json", "--quiet"])
     assert json.loads(capsys.readouterr().out)["missing_vertices"] == []
+
+
+def test_files_that_triangle_itself_reads(tmp_path: Path) -> None:
+    source = write(tmp_path, LONG)
+    (tmp_path / "m.json").write_text(json_from_mesh(mesh(LONG, kind="proper").mesh))
+    for arguments in ([source, "-o", str(tmp_path / "long.poly")],
+                      ["--mesh", str(tmp_path / "m.json"), "-o", str(tmp_path / "long.1.ele")]):
+        assert cli.main(["convert", *arguments, "--quiet"]) == 0
+    graph = triangle.loads(poly=(tmp_path / "long.poly").read_text())
+    assert {tuple(row) for row in graph["vertices"].tolist()} == {(float(p.x), float(p.y)) for p in LONG.vertices}
+    assert {frozenset(row) for row in graph["segments"].tolist()} == {frozenset(edge) for edge in LONG.edges}
+    read = triangle.loads(node=(tmp_path / "long.1.node").read_text(), ele=(tmp_path / "long.1.ele").read_text())
+    faces = mesh(LONG, kind="proper").mesh.faces
+    assert [tuple(row) for row in read["triangles"].tolist()] == list(faces)
