@@ -2,12 +2,17 @@
 
 import contextlib
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 import readme
+from families import comb
+
+from exactmesh.commands.parser import parser_of
+from exactmesh.io.pslg_json import json_from_pslg
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "docs" / name for name in (
@@ -27,6 +32,27 @@ def test_the_commands_do_what_is_said(page: Path, tmp_path: Path) -> None:
         assert commands
         for command in commands:
             assert readme.run(command)[0] == (1 if FAILS in command else 0), command
+
+
+@pytest.mark.parametrize("page", ["certificate", "optimize"])
+def test_commands_on_files_that_a_page_takes_as_given(page: str, tmp_path: Path) -> None:
+    commands = readme.commands((ROOT / "docs" / f"{page}.md").read_text(encoding="utf-8"))
+    with contextlib.chdir(tmp_path):
+        readme.run("exactmesh examples luxembourg -o outline.geojson")
+        Path("comb.json").write_text(json_from_pslg(comb(20)), encoding="utf-8")
+        # The comparison with other meshers has its own tests, and takes its time.
+        done = [command for command in commands if command.startswith("exactmesh ") and "peers" not in command]
+        assert done and all(readme.run(command)[0] == 0 for command in done)
+
+
+def test_every_command_of_every_page_is_one_that_there_is() -> None:
+    found = [line.strip().removeprefix("$ ") for page in (ROOT / "docs").rglob("*.md")
+             for line in page.read_text(encoding="utf-8").splitlines()
+             if re.match(r"(    |\$ )exactmesh \w", line) and " [" not in line]  # a bracket: a synopsis
+    assert len(found) > 30
+    for line in found:
+        words = shlex.split(line, comments=True)[1:]
+        parser_of(words[0]).parse_args(words)
 
 
 @pytest.mark.parametrize("page", sorted((ROOT / "docs").rglob("*.md")), ids=lambda page: page.stem)
