@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import random
 from collections import Counter
 from collections.abc import Sequence
 from fractions import Fraction
@@ -14,6 +15,7 @@ import families
 import oracle
 from gmpy2 import mpq
 
+from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest, minimum_feature_size
 from exactmesh.measure.validity import Verification, verify_mesh
@@ -153,3 +155,16 @@ def _text(node: ast.expr) -> str | None:
     if isinstance(node, ast.JoinedStr):
         return "".join(_text(part) or "{}" for part in node.values)
     return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def lattice_polygon(n: int, size: int, seed: int) -> Pslg:
+    """Return a random simple polygon, counter-clockwise, on a lattice of size x size points: straight angles, too."""
+    source = random.Random(f"lattice {n} {size} {seed}")
+    while True:
+        corners = source.sample([(x, y) for x in range(size) for y in range(size)], n)
+        pslg = families.ring(corners)
+        try:
+            domain_of(pslg)
+        except InputError:
+            continue
+        return pslg if oracle.polygon_area(pslg.vertices) > 0 else families.ring(corners[::-1])

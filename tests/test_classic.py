@@ -1,6 +1,5 @@
 """Classic meshes: valid, and the best one as good as the best of all triangulations."""
 
-import random
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import combinations, pairwise
@@ -8,7 +7,7 @@ from itertools import combinations, pairwise
 import families
 import oracle
 import pytest
-from constructions import HALL, face_feature_squared, graph
+from constructions import HALL, face_feature_squared, graph, lattice_polygon
 from gmpy2 import mpq
 
 from exactmesh.classic import MAX_OPTIMAL_VERTICES, classic_mesh, optimal_classic_mesh, visible_pairs
@@ -67,19 +66,6 @@ def best_of_all(pslg: Pslg) -> Fraction:
     own = oracle.mfs_squared(pslg.vertices, pslg.edges)
     assert own is not None
     return min(own, least)
-
-
-def lattice_polygon(n: int, size: int, seed: int) -> Pslg:
-    """Return a random simple polygon, counter-clockwise, on a lattice of size x size points."""
-    source = random.Random(f"lattice {n} {size} {seed}")
-    while True:
-        corners = source.sample([(x, y) for x in range(size) for y in range(size)], n)
-        pslg = families.ring(corners)
-        try:
-            domain_of(pslg)
-        except InputError:
-            continue
-        return pslg if oracle.polygon_area(pslg.vertices) > 0 else families.ring(corners[::-1])
 
 
 @pytest.mark.parametrize("name", INPUTS)

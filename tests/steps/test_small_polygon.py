@@ -1,16 +1,12 @@
 """Small polygons: the triangulation is the best of all, and it tiles."""
 
-import random
 from collections.abc import Iterator
 
-import families
 import oracle
 import pytest
-from constructions import graph, untiled
+from constructions import graph, lattice_polygon, untiled
 
-from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
-from exactmesh.planar.faces import domain_of
 from exactmesh.steps.heights import height_squared
 from exactmesh.steps.records import Cycle
 from exactmesh.steps.small_polygon import triangulate_small
@@ -31,24 +27,10 @@ def least_height(points: list[Point], faces: tuple[Cycle, ...]) -> oracle.Fracti
     return oracle.exact(min(height_squared(*(points[v] for v in face)) for face in faces))
 
 
-def lattice_polygon(n: int, size: int, seed: int) -> list[Point]:
-    """Return a random simple polygon, counter-clockwise, on a lattice small enough for straight angles."""
-    source = random.Random(f"small {n} {size} {seed}")
-    while True:
-        corners = source.sample([(x, y) for x in range(size) for y in range(size)], n)
-        pslg = families.ring(corners)
-        try:
-            domain_of(pslg)
-        except InputError:
-            continue
-        points = list(pslg.vertices)
-        return points if oracle.polygon_area(points) > 0 else points[::-1]
-
-
 @pytest.mark.parametrize("n", [3, 4, 5, 6, 7])
 def test_it_is_the_best_of_all_triangulations(n: int) -> None:
     for seed in range(40):
-        points = lattice_polygon(n, 3 + seed % 4, seed)
+        points = list(lattice_polygon(n, 3 + seed % 4, seed).vertices)
         faces = triangulate_small(points)
         tiling = [t for t in all_triangulations(0, n - 1) if untiled(points, range(n), t) == []]
         assert untiled(points, range(n), faces) == []
@@ -58,7 +40,7 @@ def test_it_is_the_best_of_all_triangulations(n: int) -> None:
 def test_no_triangulation_that_overlaps_itself_counts() -> None:
     # Every way to cut the indices, valid or not: those that leave the polygon have a triangle that turns right.
     for seed in range(20):
-        points = lattice_polygon(6, 5, seed)
+        points = list(lattice_polygon(6, 5, seed).vertices)
         for faces in all_triangulations(0, 5):
             assert (untiled(points, range(6), faces) == []) == (least_height(points, faces) > 0)
 
@@ -71,7 +53,7 @@ def test_vertices_within_straight_sides_get_diagonals() -> None:
 
 def test_the_numbering_does_not_matter() -> None:
     for seed in range(10):
-        points = lattice_polygon(7, 6, seed)
+        points = list(lattice_polygon(7, 6, seed).vertices)
         values = {least_height(turned, triangulate_small(turned))
                   for turned in (points[i:] + points[:i] for i in range(7))}
         assert len(values) == 1
