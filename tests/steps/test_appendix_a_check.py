@@ -8,6 +8,7 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from recorded import agree
 
 from exactmesh.claims.run import Run
 from exactmesh.numbers.separation import Expr
@@ -144,7 +145,7 @@ def nudged(vertex, dx, dy):
                                                                    for ring in curve.rings)))
 
 
-@pytest.mark.parametrize("one, pslg, harm, clause", [
+HARMS = [
     (check.check_edge_length, SQUARE, nudged(0, mpq(1, 100), 0), "|e'| >= 1/2"),
     (check.check_edge_length, SQUARE, nudged(0, mpq(2), 0), "|e'| >= 1/2"),
     (check.check_both_reflex, FLAT_TIP, nudged(4, mpq(1, 2**99), 0), "|e'| = |e|"),
@@ -152,7 +153,10 @@ def nudged(vertex, dx, dy):
     (check.check_both_acute, families.ring([(0, 0), (9, 0), (8, 2), (1, 2)]), nudged(0, 6, 0), "|e'| > 1"),
     (check.check_reach, RHOMBUS, nudged(0, mpq(5), 0), "t1 is at most 1/4 beyond z"),
     (check.check_formula, RHOMBUS, nudged(0, mpq(1, 2**99), 0), "|e'| >= 1/(2 sin w)"),
-])
+]
+
+
+@pytest.mark.parametrize("one, pslg, harm, clause", HARMS)
 def test_the_checker_refuses_a_harmed_curve(one, pslg, harm, clause):
     good = made(pslg)
     assert one(*good).holds
@@ -178,3 +182,17 @@ def test_an_edge_may_start_at_y():
     shape, curve = made(families.ring([(0, 0), (6, 0), (11, 4), (7, 9), (3, 4)]))
     assert curve.mfs_squared == 16
     assert check.check_quarter_circle(shape, curve).holds
+
+
+def test_verdicts_say_all_there_is_to_say():
+    every = [check.check_edge_length, check.check_both_reflex, check.check_one_reflex, check.check_unit_edges,
+             check.check_both_acute, check.check_reach, check.check_sine, check.check_formula,
+             check.check_quarter_circle]
+    inputs = {"square": SQUARE, "rhombus": RHOMBUS, "l": L, "trapezoid": TRAPEZOID, "13 14 15": T_13_14_15,
+              "flat tip": FLAT_TIP}
+    verdicts = []
+    for name, pslg in inputs.items():
+        verdicts += [(f"{name}: {one.__name__}", one(*made(pslg))) for one in every]
+        verdicts.append((f"{name}: next", check.check_quarter_circle(*made(pslg), only_next=True)))
+    agree("appendix_a", verdicts + [(f"{number}: {one.__name__}", one(*harm(*made(pslg))))
+                                    for number, (one, pslg, harm, _) in enumerate(HARMS)])

@@ -7,6 +7,7 @@ import families
 import pytest
 from constructions import clauses_of
 from gmpy2 import mpq
+from recorded import agree
 from unit_rectangles import tube_of
 
 from exactmesh.claims.run import Run
@@ -119,3 +120,11 @@ def test_nothing_is_judged_without_rectangles():
     made = Run(families.ALL_SMALL["unit square"], "paper").paper
     for good in GOOD:
         assert (good(made.tube, made.points).instances, good(made.tube, made.points).holds) == (0, True)
+
+
+def test_verdicts_say_all_there_is_to_say():
+    every = (*GOOD, partial(check.check_count, occupied=False), check.check_layers_feature, check.check_layer_count,
+             lambda tube, points: check.check_proper(tube))
+    good = [(f"{name}: {number}", one(*made)) for name, made in (
+        ("full", FULL), ("literal", LITERAL), ("layers", LAYERS), ("far", FAR)) for number, one in enumerate(every)]
+    agree("lemma_3", good + [(name, bad(*made)) for name, (bad, made, _) in HARMS.items()])

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from constructions import HALL, clauses_of, graph, run, unit_shape
 from gmpy2 import mpq
+from recorded import agree
 
 from exactmesh.geometry.point import Point
 from exactmesh.planar.pslg import Pslg
@@ -237,3 +238,14 @@ def test_the_width_of_a_cap_is_the_separation_of_an_isolated_vertex():
 
 def test_every_clause_fires():
     assert {clause for _, _, clause in HARMS} == clauses_of(offset_check)
+
+
+CHECKS = ("least", "greatest", "separation", "nesting")
+
+
+def test_verdicts_say_all_there_is_to_say():
+    none = [(f"{name}: {check}", verdict) for name, pslg in (("l", L_SHAPE), ("rooms", TWO_ROOMS), ("holed", HOLED))
+            for check, verdict in zip(CHECKS, verdicts(pslg, lambda q: q), strict=True)]
+    harmed = [(f"{number}: {check}", verdict) for number, (pslg, harm, _) in enumerate(HARMS)
+              for check, verdict in zip(CHECKS, verdicts(pslg, harm), strict=True)]
+    agree("offset", none + harmed)

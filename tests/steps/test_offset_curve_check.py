@@ -7,6 +7,7 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from recorded import agree
 
 from exactmesh.claims.run import Run
 from exactmesh.numbers.algebraic import Real, sqrt
@@ -129,7 +130,7 @@ WHOLE = check.check_single_curve
 REFINED = check.check_refinement
 
 
-@pytest.mark.parametrize("one, harm, clause", [
+HARMS = [
     (WHOLE, ring(lambda r: r[1:]), "P2 has the corners of P in their order"),
     (WHOLE, ring(lambda r: r[::-1]), "P2 has the corners of P in their order"),
     (WHOLE, at(CHORDS, with_arc(lambda arc: None)), "arcs are at the reflex corners"),
@@ -177,7 +178,10 @@ REFINED = check.check_refinement
      "a prolonged segment stays beyond mfs/4"),
     (check.check_extension_from_vertex, at(PROLONGED, nudged(0, -1)),
      "a prolonged segment stays within sqrt(2)/4 of its corner"),
-])
+]
+
+
+@pytest.mark.parametrize("one, harm, clause", HARMS)
 def test_the_checker_refuses_a_harmed_result(one, harm, clause):
     good = made(EVERY)
     assert one(*good).holds
@@ -213,3 +217,12 @@ def test_a_hair_below_the_bound_is_refused(squared, holds):
     harmed = at(1, lambda c: replace(c, vertices=(c.vertices[0], RealPoint(2 + x, 1 + x), c.vertices[2])))(*made(L))
     verdict = check.check_tube_distance(*harmed)
     assert verdict.holds is holds and verdict.worst == squared
+
+
+def test_verdicts_say_all_there_is_to_say():
+    good = made(EVERY)
+    every = [*TRUE, check.check_octagon, check.check_through_interior]
+    curves = {"every": good, "square": made(SQUARE), "l": made(L), "facing": made(FACING)}
+    verdicts = [(f"{name}: {one.__name__}", one(*curve)) for name, curve in curves.items() for one in every]
+    agree("offset_curve", verdicts + [(f"{number}: {one.__name__}", one(*harm(*good)))
+                                      for number, (one, harm, _) in enumerate(HARMS)])

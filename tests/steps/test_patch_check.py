@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from constructions import clauses_of, run
 from gmpy2 import mpq
+from recorded import agree
 
 from exactmesh.geometry.point import Point
 from exactmesh.steps import patch_check
@@ -251,3 +252,9 @@ def test_gaps_of_exactly_the_bound_are_allowed():
 
 def test_every_clause_fires():
     assert {clause for _, (_, clause) in HARMS} == clauses_of(patch_check)
+
+
+def test_verdicts_say_all_there_is_to_say():
+    made = [("good", BASE), *((f"harm {number}", harm(BASE)) for number, (harm, _) in enumerate(HARMS))]
+    agree("patch", [(f"{name}: {check}", verdict) for name, construction in made
+                    for check, verdict in everything(construction).items() if name == "good" or not verdict.holds])

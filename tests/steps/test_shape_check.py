@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from constructions import clauses_of, graph, run
 from gmpy2 import mpq
+from recorded import agree
 
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import domain_of
@@ -69,3 +70,13 @@ def test_the_bounds_themselves_are_allowed():
 
 def test_every_clause_fires():
     assert {clause for _, _, clause in HARMS} == clauses_of(shape_check)
+
+
+def test_verdicts_say_all_there_is_to_say():
+    agree("shape", [("good", check_unit(PSLG, SQUARED, SHAPE)),
+                    *((what, check_unit(PSLG, SQUARED, harm(SHAPE))) for what, harm, _ in HARMS)])
+
+
+def test_as_many_points_as_vertices_are_needed():
+    with pytest.raises(ValueError):
+        check_unit(PSLG, SQUARED, replace(SHAPE, points=SHAPE.points[:-1]))

@@ -6,6 +6,7 @@ from pathlib import Path
 import families
 import pytest
 from gmpy2 import mpq
+from recorded import agree
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
@@ -53,3 +54,16 @@ def test_a_longer_coordinate_is_refused(part):
         harmed = verdict(replace(made, **{part: replace(record, points=(far, *record.points[1:]))}))
         assert not harmed.holds and harmed.witness.clause == "coordinates are as short as their formulas"
         assert harmed.instances == harmed.witness.place["vertex"] + 1 == record.first + 1
+
+
+def test_verdicts_say_all_there_is_to_say():
+    verdicts = []
+    for name in NAMES:
+        made = Run((families.ALL_SMALL | families.SMALL_PSLGS)[name]).repaired
+        verdicts.append((name, verdict(made)))
+        for part in ("offset", "trapezoidation", "interior", "tube"):
+            record = getattr(made, part)
+            far = Point(mpq(1, 2**5_000), mpq(0))
+            harmed = replace(made, **{part: replace(record, points=(*record.points[:-1], far))})
+            verdicts.append((f"{name}: {part}", verdict(harmed)))
+    agree("size", verdicts)

@@ -7,6 +7,7 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from recorded import agree
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
@@ -118,7 +119,7 @@ def without_last(p4):
 S1 = "S1: P4 has the vertices of P3 in their order"
 
 
-@pytest.mark.parametrize("name, harm, clause", [
+HARMS = [
     ("motion", without_last, S1),
     ("motion", lambda p4: replace(p4, corner=(p4.corner[1], p4.corner[0], *p4.corner[2:])), S1),
     ("motion", lambda p4: replace(p4, rings=((0, 3), (3, len(p4.x)))), S1),
@@ -135,17 +136,25 @@ S1 = "S1: P4 has the vertices of P3 in their order"
     ("regions", lambda p4: moved(p4, 0, -mpq(1, 5)), "mfs(P and P4) >= 1/(2 d3)"),
     ("tube", lambda p4: moved(p4, 0, -mpq(1, 5)), "P4 keeps 1/(4 sqrt 2) - 1/(4 d3) from P"),
     ("lemma", without_last, S1),
-])
+]
+
+
+def one(name, made, p4):
+    """Return the verdict of one check by name."""
+    return {
+        "motion": lambda: check.check_motion(made.curve, p4, OCTAGON),
+        "feature": lambda: check.check_feature_size(made.curve, p4, OCTAGON),
+        "regions": lambda: check.check_both_regions(made.shape, made.curve, p4, OCTAGON),
+        "tube": lambda: check.check_tube_distance(made.shape, made.curve, p4, OCTAGON),
+        "lemma": lambda: check.check_perturbation(made.curve, p4),
+    }[name]()
+
+
+@pytest.mark.parametrize("name, harm, clause", HARMS)
 def test_the_checker_refuses_a_harmed_result(name, harm, clause):
     made = paper(L)
     assert verdicts(made, made.p4)[name].holds
-    verdict = {
-        "motion": lambda p4: check.check_motion(made.curve, p4, OCTAGON),
-        "feature": lambda p4: check.check_feature_size(made.curve, p4, OCTAGON),
-        "regions": lambda p4: check.check_both_regions(made.shape, made.curve, p4, OCTAGON),
-        "tube": lambda p4: check.check_tube_distance(made.shape, made.curve, p4, OCTAGON),
-        "lemma": lambda p4: check.check_perturbation(made.curve, p4),
-    }[name](harm(made.p4))
+    verdict = one(name, made, harm(made.p4))
     assert not verdict.holds and verdict.witness is not None and verdict.witness.clause == clause
 
 
@@ -209,3 +218,12 @@ def test_the_bounds_are_those_of_the_reading():
     verdict = check.check_motion(made.curve, made.p4, tube)
     assert not verdict.holds and verdict.witness is not None
     assert verdict.witness.clause == "S5: the spacing is at most 1/(2 d3)"
+
+
+def test_verdicts_say_all_there_is_to_say():
+    made = paper(L)
+    far = moved(made.p4, 0, mpq(1, 9))
+    agree("snap", [*verdicts(made, made.p4).items(),
+                   *((f"vertex 0 far off: {name}", one(name, made, far)) for name in ("motion", "lemma")),
+                   *((f"{number}: {name}", one(name, made, harm(made.p4)))
+                     for number, (name, harm, _) in enumerate(HARMS))])

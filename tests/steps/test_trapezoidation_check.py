@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from constructions import clauses_of, points_of, rings_on_levels, run
 from gmpy2 import mpq
+from recorded import agree
 
 from exactmesh.geometry.point import Point
 from exactmesh.steps import trapezoidation_check
@@ -200,3 +201,14 @@ def test_no_t_vertex_may_be_missing(number, side):
 def test_every_clause_fires():
     fired = {clause for _, clause in HARMS} | {clause for _, clause in BAD_RINGS} | {TOUCH}
     assert fired == clauses_of(trapezoidation_check)
+
+
+CHECKS = ("tiling", "gaps", "level edges", "legs", "touch", "clearance")
+
+
+def test_verdicts_say_all_there_is_to_say():
+    made = [("good", ROOM, CHORDS), *((f"harm {i}", ROOM, harm(CHORDS)) for i, (harm, _) in enumerate(HARMS))]
+    made += [(f"ring {i}", q, trapezoidate(q)) for i, (ring, _) in enumerate(BAD_RINGS)
+             for q in [rings_on_levels([(mpq(x), y) for x, y in ring])]]
+    agree("trapezoidation", [(f"{name}: {check}", verdict) for name, q, chords in made
+                             for check, verdict in zip(CHECKS, everything(q, chords), strict=True)])
