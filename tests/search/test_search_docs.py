@@ -42,7 +42,7 @@ def test_the_output_is_what_is_shown(statuses: dict[str, int], command: str, sho
 def test_the_commands_of_the_catalogue_are_taken(command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     # One short walk each, and no shrinking of the worst: all of it takes minutes.
     monkeypatch.setattr("exactmesh.commands.engine.keep_records", lambda store, run: None)
-    short = re.sub(r"--tasks \d+", "--tasks 1", re.sub(r"--size \d+", "--size 1", command)).replace("finds.db", "s.db")
+    short = re.sub(r"--(tasks|size|count) \d+", r"--\1 1", command).replace("finds.db", "s.db")
     with contextlib.chdir(tmp_path):
         assert main([*shlex.split(short)[1:], "--quiet"]) in (0, 1)
 
