@@ -129,8 +129,8 @@ def _layers(check: Callable[[PaperTube, Sequence[Point]], Verdict]) -> Check:
                         else Verdict(0, True))
 
 
-def _only_rectangles(run: Run) -> Verdict:
-    return paper_tube_check.check_proper_elsewhere(run.paper.interior, run.paper.tube)
+def _only_within(*phases: Phase) -> Check:
+    return lambda run: paper_tube_check.check_proper_elsewhere(run.paper.interior, run.paper.tube, phases)
 
 
 _PHASE_1: tuple[Claim, ...] = (
@@ -244,9 +244,13 @@ _THEOREM_2: tuple[Claim, ...] = (
           _LAYERED, check=_layers(lambda tube, points: lemma_3_check.check_proper(tube)),
           kinds=_PROPER),
     Claim("theorem-2.only-rectangles", "Theorem 2", "only the rectangles must be replaced to make all proper",
-          _SIMPLE, check=_only_rectangles,
+          _SIMPLE, check=_only_within("rectangle"),
           corrected="trapezoids with T-vertices are not properly triangulated either",
           repair="the proper version fills interior faces by layers as well", witness="l-shape-192"),
+    Claim("theorem-3.only-tube", "Theorem 3", "the mesh is nonproper only within the quasi-trapz of the Tube",
+          _SIMPLE, check=_only_within("cut", "rest", "tall", "low", "rectangle"),
+          corrected="trapezoids of the Interior carry vertices on their sides as well",
+          repair="internal meshes continue the vertices on chords across the Interior, up to P", witness="l-shape-192"),
 )
 
 TUBE_CLAIMS: tuple[Claim, ...] = (*_PHASE_1, *_PHASE_2, *_PHASES_3_4, *_THEOREM_2)

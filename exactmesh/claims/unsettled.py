@@ -11,24 +11,14 @@ _WHOLE = ("it follows from claims about faces of the repaired construction, not 
 _SWEEP = ("it is about which vertices and edges a sweep joins, not about finitely many real numbers: no engine for "
           "polynomials settles it; ")
 _RUN = _SWEEP + "checked on every run, and no exception is known"
-_SECTION_5 = ("its constant comes from counting pieces over a whole strip, for any number of triangles: "
-              "docs/dissection.md has the argument with constants, and every run asserts them")
-_CHAIN = ("its proof needs the corners that snapping flattens, of which there are more kinds than have been brought to "
-          "problems yet; it holds on all instances, and a search for the worst found no exception")
+_SECTION_5 = ("without O it says nothing of the constant; with 6875, which every run asserts, it follows from what is "
+              "proved of strips for a mesh with O(n) triangles of heights Omega(mfs), which is `repaired.degradation` "
+              "and `repaired.steiner-count`")
 
 UNSETTLED = MappingProxyType({
     "abstract.nonproper": _WHOLE + "for the repaired construction it is checked on every run (`repaired.degradation`)",
     "abstract.proper": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),
-    "section-1.drawing": (
-        "what it says depends on how ends and incident edges are drawn; for edges that do not meet it is the "
-        "definition of the mfs"),
-    "section-1.bounded-faces": (
-        _ANY + "the paper gives no proof, and `section-1.regular-polygon` and `section-1.rectangle` are proved for "
-        "triangles only"),
-    "section-1.heights": (
-        "that a shortest segment crosses no edge is a topological argument; `verify` measures every mesh by faces, and"
-        " the tests compare that with all pairs"),
     "section-1.linear-size": (
         _SWEEP + "for the repaired construction 35 new vertices a corner are asserted on every run"),
     "section-1.linear-time": (
@@ -37,13 +27,7 @@ UNSETTLED = MappingProxyType({
     "section-1.holes": (
         "it is about a program that the paper does not describe; the repaired construction takes holes, and is checked"
         " on each"),
-    "section-1.faces-apart": (
-        "it is about a program that the paper does not describe; the repaired construction takes each face by itself, "
-        "and the mesh of all is verified"),
     "section-1.classic-triangulation": _RUN,
-    "table-1.classic": (
-        "as a sum over one family it needs an input that the paper does not give; proved are n/4 on regular polygons "
-        "and r/2 on rectangles"),
     "table-1.proper": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "table-1.nonproper": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "table-1.internal": _WHOLE + "`exactmesh reproduce table1` shows the growth",
@@ -73,25 +57,13 @@ UNSETTLED = MappingProxyType({
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),
     "theorem-2.proper-rectangle": _RUN,
     "theorem-2.triangulation": _RUN,
-    "theorem-3.only-tube": (
-        "it is false of the published Interior, where trapezoids carry vertices on their sides (`theorem-2.only-"
-        "rectangles` is refuted so); the paper gives no construction to judge it on"),
     "theorem-3.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.internal-degradation`)"),
     "theorem-3.triangulation": _RUN,
-    "section-5.lower-bound": (
-        "that each piece has a diameter is geometry of arbitrary pieces, not of finitely many numbers; `exactmesh "
-        "reproduce dissection` shows the bound beside what is reached"),
     "section-5.pieces": _SECTION_5,
     "section-5.pieces-many": _SECTION_5,
-    "section-5.epsilon": "it rests on `section-1.heights`, and is so corrected; every run uses the heights themselves",
-    "section-5.strip": _SECTION_5,
-    "section-5.vertical-line": _SECTION_5,
-    "section-5.overlay": _SECTION_5,
-    "section-5.scaling": "an asymptotic statement about a similarity; the factor itself is exact in every run",
     "appendix-a.both-ends-reflex": (
         "there is nothing to prove: between two reflex corners the segment is the edge, moved"),
-    "repaired.offset-nesting": _CHAIN,
     "repaired.trapezoidation": _RUN,
     "repaired.chord-touch": _RUN,
     "repaired.interior-tiling": _RUN,

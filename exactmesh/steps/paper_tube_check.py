@@ -162,9 +162,9 @@ def check_steiner_count(vertices: int, corners: int) -> Verdict:
     return tally.verdict()
 
 
-def check_proper_elsewhere(interior: Patch, tube: PaperTube) -> Verdict:
-    """Return whether all faces but those in rectangles have three vertices; one instance a face."""
-    faces = [*interior.faces, *_faces(tube, set(PHASES) - {"rectangle"})]
+def check_proper_elsewhere(interior: Patch, tube: PaperTube, apart: Collection[Phase]) -> Verdict:
+    """Return whether all faces but those of some phases have three vertices; one instance a face."""
+    faces = [*interior.faces, *_faces(tube, set(PHASES) - set(apart))]
     for number, face in enumerate(faces):
         if len(face) != 3:
             return failed(number + 1, "faces have three vertices", face=list(face))

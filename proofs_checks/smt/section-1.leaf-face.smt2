@@ -1,0 +1,16 @@
+; section-1.leaf-face: a side is at least n/(4 (k - 2)) distances d <= (k - 2) s side, s = side/2 <= 4/n
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const k Real)
+(declare-const n Real)
+(declare-const s Real)
+(declare-const side Real)
+(assert (>= (+ (* 1.0 k) (- 3.0)) 0.0))
+(assert (> (* 1.0 n) 0.0))
+(assert (> (* 1.0 side) 0.0))
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ (* (- 1.0) n s) 4.0) 0.0))
+(assert (>= (+ (* 1.0 k s side) (* (- 2.0) s side) (* (- 1.0) d)) 0.0))
+(assert (> (+ (* 1.0 d n) (* (- 4.0) k side) (* 8.0 side)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; section-1.sine-of-multiples: sin((m + 1) f) <= (m + 1) sin f, if sin(m f) <= m sin f
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const cm Real)
+(declare-const m Real)
+(declare-const s Real)
+(declare-const sm Real)
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ (* (- 1.0) c) 1.0) 0.0))
+(assert (>= (+ (* (- 1.0) cm) 1.0) 0.0))
+(assert (>= (* 1.0 sm) 0.0))
+(assert (>= (+ (* 1.0 m s) (* (- 1.0) sm)) 0.0))
+(assert (> (+ (* 1.0 c sm) (* 1.0 cm s) (* (- 1.0) m s) (* (- 1.0) s)) 0.0))
+(check-sat)

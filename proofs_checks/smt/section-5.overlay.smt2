@@ -1,0 +1,15 @@
+; section-5.overlay: pairs P of cells that overlap, crossings c, and parts: pieces k <= 9 (N + M) + c
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const M Real)
+(declare-const N Real)
+(declare-const P Real)
+(declare-const c Real)
+(declare-const k Real)
+(assert (>= (+ (* 1.0 N) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 M) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 M) (* 1.0 N) (* (- 1.0) P) (- 1.0)) 0.0))
+(assert (>= (+ (* 6.0 M) (* 6.0 N) (* 49.0 P) (* (- 1.0) c)) 0.0))
+(assert (>= (+ (* 9.0 M) (* 9.0 N) (* 1.0 c) (* (- 1.0) k)) 0.0))
+(assert (>= (+ (* (- 64.0) M) (* (- 64.0) N) (* 1.0 k)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; section-5.scaling: a factor s with s^2 A = 1 is at least 1/D: A <= a b, the sides of a box around it, a, b <= D
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const A Real)
+(declare-const D Real)
+(declare-const a Real)
+(declare-const b Real)
+(declare-const s Real)
+(assert (> (* 1.0 D) 0.0))
+(assert (> (* 1.0 s) 0.0))
+(assert (>= (* 1.0 a) 0.0))
+(assert (>= (+ (* 1.0 D) (* (- 1.0) a)) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (>= (+ (* 1.0 D) (* (- 1.0) b)) 0.0))
+(assert (>= (+ (* 1.0 a b) (* (- 1.0) A)) 0.0))
+(assert (= (+ (* 1.0 A s s) (- 1.0)) 0.0))
+(assert (> (+ (* (- 1.0) D D s s) 1.0) 0.0))
+(check-sat)

@@ -1,0 +1,12 @@
+; section-5.slide-least: what is above the slanted line slides along it: v - w across, e - g up
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const e Real)
+(declare-const g Real)
+(declare-const v Real)
+(declare-const w Real)
+(assert (> (* 1.0 e) 0.0))
+(assert (> (* 1.0 w) 0.0))
+(assert (= (+ (* 1.0 e v) (* (- 1.0) g w)) 0.0))
+(assert (> (+ (* 1.0 e v) (* (- 1.0) g w)) 0.0))
+(check-sat)

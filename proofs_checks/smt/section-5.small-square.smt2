@@ -1,0 +1,13 @@
+; section-5.small-square: 4 C A/e < 1 for A = z^2, e >= z/3, z < 1/(12 C)
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const C Real)
+(declare-const e Real)
+(declare-const z Real)
+(assert (> (* 1.0 C) 0.0))
+(assert (> (* 1.0 z) 0.0))
+(assert (> (* 1.0 e) 0.0))
+(assert (>= (+ (* 3.0 e) (* (- 1.0) z)) 0.0))
+(assert (> (+ (* (- 12.0) C z) 1.0) 0.0))
+(assert (>= (+ (* 4.0 C z z) (* (- 1.0) e)) 0.0))
+(check-sat)
