@@ -27,8 +27,9 @@ class NotTriangle:
 def corners_of(points: Sequence[Point], cycle: Cycle) -> list[int] | NotTriangle:
     """Return the places in `cycle` of the three corners of a counter-clockwise triangle.
 
-    All other vertices must go straight on. Three left turns of less than half a turn each, and no other, add up to
-    one full turn, so such a cycle is a simple triangle.
+    All other vertices must go straight on. The turns of a cycle add up to whole turns, and a left turn is less than
+    half of one. So there are three at least; and three, with no other, make one turn, so that the cycle is a simple
+    triangle.
     """
     if len(cycle) < 3:
         return NotTriangle("has fewer than three vertices", cycle[0] if cycle else -1)
@@ -45,7 +46,7 @@ def corners_of(points: Sequence[Point], cycle: Cycle) -> list[int] | NotTriangle
             return NotTriangle("turns back, or stands still,", cycle[i])
         if len(places) > 3:
             return NotTriangle("has a fourth corner", cycle[i])
-    return places if len(places) == 3 else NotTriangle("has fewer than three corners", cycle[0])
+    return places
 
 
 def face_feature_squared(points: Sequence[Point], cycle: Cycle, corners: Sequence[int]) -> mpq:
