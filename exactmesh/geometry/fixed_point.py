@@ -148,13 +148,15 @@ class TurnFilter:
     S**2 / 2 (1 + 2**-50) < 2**-49 * S, so that nothing is decided.
     """
 
-    __slots__ = ("_bound", "_columns", "_x", "_y", "asked", "second", "third")
+    __slots__ = ("_bound", "_columns", "_far", "_x", "_y", "asked", "second", "third")
 
     def __init__(self, columns: FixedPoints) -> None:
         self._columns = columns
         rounded = columns.rounded()
         size = max(float(column.max(initial=0.0)) for column in rounded)
         self._bound = 2.0 ** (frexp(size)[1] - 49)
+        # S is 4 `size` at most: beyond this there is no need to know it.
+        self._far = 5 * size * self._bound
         self._x, self._y = (column.tolist() for column in rounded)
         self.asked = self.second = self.third = 0
 
@@ -164,13 +166,40 @@ class TurnFilter:
         x, y = xs[i], ys[i]
         a, b, c, d = xs[j] - x, ys[k] - y, ys[j] - y, xs[k] - x
         determinant = a * b - c * d
-        bound = self._bound * (abs(a) + abs(b) + abs(c) + abs(d))
         self.asked += 1
-        if determinant > bound:
+        if determinant > self._far:
             return 1
-        if determinant < -bound:
+        if determinant < -self._far:
             return -1
-        return self._closer(i, j, k)
+        return self._close(determinant, a, b, c, d) or self._closer(i, j, k)
+
+    def count_below(self, edges: Sequence[int], left: Sequence[int], right: Sequence[int], v: int) -> int:
+        """Return how many of some edges in order from below are below point v: those with `orientation` 1.
+
+        `left` and `right` have the ends of all edges.
+        """
+        xs, ys, far = self._x, self._y, self._far
+        px, py = xs[v], ys[v]
+        start, end = 0, len(edges)
+        while start < end:
+            middle = (start + end) >> 1
+            edge = edges[middle]
+            i, j = left[edge], right[edge]
+            x, y = xs[i], ys[i]
+            a, b, c, d = xs[j] - x, py - y, ys[j] - y, px - x
+            determinant = a * b - c * d
+            self.asked += 1
+            if determinant > far or (determinant >= -far and (
+                    self._close(determinant, a, b, c, d) or self._closer(i, j, v)) > 0):
+                start = middle + 1
+            else:
+                end = middle
+        return start
+
+    def _close(self, determinant: float, a: float, b: float, c: float, d: float) -> int:
+        """Return the sign of a determinant that plain floats are sure of, else 0."""
+        bound = self._bound * (abs(a) + abs(b) + abs(c) + abs(d))
+        return (determinant > bound) - (determinant < -bound)
 
     def _closer(self, i: int, j: int, k: int) -> int:
         self.second += 1

@@ -86,7 +86,7 @@ class _Sweep:
         self.starting: list[list[int]] = [[] for _ in points]
         for edge, u in enumerate(self.left):
             self.starting[u].append(edge)
-        self.status = Status()
+        self.status = Status(len(ends))
         self.vertex: list[int] = []
         self.up: list[int] = []
         self.down: list[int] = []
@@ -101,12 +101,8 @@ class _Sweep:
 
     def _pass(self, v: int) -> None:
         """Move the sweep line over vertex v."""
-        orientation, left, right, status = self.orientation, self.left, self.right, self.status
-
-        def height(edge: int) -> int:
-            return -orientation(left[edge], right[edge], v)
-
-        at = status.first(height)
+        left, right, status = self.left, self.right, self.status
+        at = status.first(lambda edges: self.turns.count_below(edges, left, right, v))
         below = status.before(at)
         ending, _ = status.run(at, lambda edge: right[edge] == v)
         starting = self._from_below(v)

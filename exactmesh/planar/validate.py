@@ -112,13 +112,16 @@ class _Sweep:
         self.left: list[int] = []
         self.right: list[int] = []
         self.starting: list[list[int]] = [[] for _ in range(self.count)]
-        self.status = Status()
+        # One of the edges that end at each vertex, -1 where there is none.
+        self.ending = [-1] * self.count
+        self.status = Status(len(pslg.edges))
         for edge, (u, v) in enumerate(pslg.edges):
             if self.rank[v] < self.rank[u]:
                 u, v = v, u
             self.left.append(u)
             self.right.append(v)
             self.starting[u].append(edge)
+            self.ending[v] = edge
 
     def run(self) -> Swept:
         below = [-1] * len(self.points)
@@ -141,27 +144,34 @@ class _Sweep:
         """Move the sweep line over the point v; return the edge directly below it."""
         orientation, left, right, status = self.orientation, self.left, self.right, self.status
 
-        def height(edge: int) -> int:
-            return -orientation(left[edge], right[edge], v)
-
         def ends_here(edge: int) -> bool:
             if right[edge] == v:
                 return True
-            if height(edge) == 0:
+            if orientation(left[edge], right[edge], v) == 0:
                 self._on_edge(v, edge)
             return False
 
-        at = status.first(height)
-        below = status.before(at)
+        if v < self.count and self.ending[v] >= 0:
+            # The edges through v follow each other in the status.
+            at = status.place(self.ending[v])
+            while ((below := status.before(at)) >= 0
+                   and (right[below] == v or orientation(left[below], right[below], v) == 0)):
+                at = status.previous(at) or at
+        else:
+            at = status.first(lambda edges: self.turns.count_below(edges, left, right, v))
+            below = status.before(at)
         ending, above = status.run(at, ends_here)
         if v >= self.count:
             return below
         starting = self._sorted_by_slope(v)
         status.replace(at, len(ending), starting)
-        if below >= 0 and (starting or above >= 0):
-            self._compare(below, starting[0] if starting else above)
-        if starting and above >= 0:
-            self._compare(starting[-1], above)
+        if starting:
+            if below >= 0:
+                self._compare_new(starting[0], below, 1)
+            if above >= 0:
+                self._compare_new(starting[-1], above, -1)
+        elif below >= 0 and above >= 0:
+            self._compare(below, above)
         return below
 
     def _on_edge(self, v: int, edge: int) -> None:
@@ -193,13 +203,25 @@ class _Sweep:
     def _compare(self, e: int, f: int) -> None:
         """Raise when the neighbours e and f, neither of which is behind the sweep line, cross or touch."""
         a, b, c, d = self.left[e], self.right[e], self.left[f], self.right[f]
-        if a == c or b == d:
-            return
-        turn = self.orientation
-        sides_e = turn(a, b, c) * turn(a, b, d)
-        sides_f = turn(c, d, a) * turn(c, d, b)
-        if sides_e < 0 and sides_f < 0:
-            at = line_crossing(*(self.points[i] for i in (a, b, c, d)))
-            first, second = sorted((e, f))
-            raise EdgesCross(first, second, (self.pslg.edges[first], self.pslg.edges[second]), at)
-        # An end on the other edge is met again, as a vertex on an edge, when the sweep line reaches it.
+        if a != c and b != d and self._is_between(a, b, c, d) and self._is_between(c, d, a, b):
+            self._cross(e, f)
+
+    def _compare_new(self, e: int, f: int, side: int) -> None:
+        """Raise when e, which starts at the vertex that the sweep line has just reached, crosses its neighbour f.
+
+        The vertex is on the left of f (`side` 1) or on the right (-1). An end of an edge on another one is met again,
+        as a vertex on an edge, when the sweep line reaches it.
+        """
+        a, b, c, d = self.left[e], self.right[e], self.left[f], self.right[f]
+        if b != d and self.orientation(c, d, b) == -side and self._is_between(a, b, c, d):
+            self._cross(e, f)
+
+    def _is_between(self, a: int, b: int, c: int, d: int) -> bool:
+        """Return whether the line through a and b has c and d strictly on different sides."""
+        side = self.orientation(a, b, c)
+        return side != 0 and self.orientation(a, b, d) == -side
+
+    def _cross(self, e: int, f: int) -> None:
+        at = line_crossing(*(self.points[i] for i in (self.left[e], self.right[e], self.left[f], self.right[f])))
+        first, second = sorted((e, f))
+        raise EdgesCross(first, second, (self.pslg.edges[first], self.pslg.edges[second]), at)

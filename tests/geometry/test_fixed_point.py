@@ -113,3 +113,17 @@ def test_plain_floats_decide_what_is_far_from_a_tie(size: int) -> None:
     assert [single.orientation(*triple) for triple in triples] == [
         orientation(*(points[v] for v in triple)) for triple in triples]
     assert single.second <= 10 and single.third <= 10
+
+
+@pytest.mark.parametrize("gap", [mpq(1, 7), mpq(1, 2**50), mpq(1, 2**90)])
+def test_counting_edges_below_a_point_is_the_orientation_of_each(gap: mpq) -> None:
+    # Edges in order from below, nearly parallel; points on them, and barely above and below them.
+    ends = [(Point(mpq(0), i * gap), Point(mpq(9), i * gap + mpq(1, 3))) for i in range(9)]
+    edges = list(range(9))
+    for shift in (-gap / 2**30, mpq(0), gap / 2**30, gap / 2):
+        points = [p for pair in ends for p in pair] + [Point(mpq(5), i * gap + mpq(5, 27) + shift) for i in edges]
+        single = TurnFilter(FixedPoints(points))
+        left, right = list(range(0, 18, 2)), list(range(1, 18, 2))
+        for v in range(18, 27):
+            expected = sum(orientation(points[left[e]], points[right[e]], points[v]) > 0 for e in edges)
+            assert single.count_below(edges, left, right, v) == expected
