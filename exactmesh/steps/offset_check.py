@@ -14,7 +14,7 @@ from exactmesh.errors import GeometryError
 from exactmesh.geometry.columns import Columns, Rows, indices
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.distance import distance_squared
-from exactmesh.geometry.point import Point, cross, minus
+from exactmesh.geometry.point import Point, cross, dot, minus
 from exactmesh.geometry.predicates import doubled_area
 from exactmesh.measure.mfs import minimum_feature_size
 from exactmesh.measure.verdict import Tally, Verdict, Witness, failed
@@ -134,9 +134,10 @@ def _is_within(start: Point, end: Point, direction: Point) -> bool:
     turn = cross(start, end)
     if turn > 0:
         return after_start and before_end
-    if turn == 0 and start.x * end.x + start.y * end.y < 0:
+    if turn == 0 and dot(start, end) < 0:
         return after_start
-    return after_start or before_end
+    # Straight on from the end of a slit is after and before nothing, but within its full turn.
+    return after_start or before_end or (turn == 0 and dot(start, direction) < 0)
 
 
 def _turn_left(points: Columns, cycles: Sequence[Sequence[int]]) -> list[bool]:

@@ -139,3 +139,10 @@ def test_verdicts_say_all_there_is_to_say():
         verdicts += [(f"{name}: {check.__name__}", check(found, 7))
                      for check in (check_proper_degradation, check_vertex_count)]
     agree("mesh", verdicts)
+
+
+def test_an_internal_mesh_needs_both_feature_sizes():
+    near = Nearest(mpq(1), 0, (1, 2))
+    for input_ifs, mesh_ifs in ((near, None), (None, near)):
+        verdict = check_internal_degradation(replace(GOOD, kind="internal", input_ifs=input_ifs, mesh_ifs=mesh_ifs))
+        assert not verdict.holds and verdict.witness.clause == "the mesh is valid"

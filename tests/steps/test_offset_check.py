@@ -1,13 +1,16 @@
 """The checker of the offset accepts good results and names the clause a harmed one breaks."""
 
 from dataclasses import replace
+from itertools import product
 
 import pytest
 from constructions import HALL, clauses_of, graph, run, unit_shape
 from gmpy2 import mpq
 from recorded import agree
 
-from exactmesh.geometry.point import Point
+from exactmesh.geometry.columns import Columns
+from exactmesh.geometry.decisions import decisions, forget
+from exactmesh.geometry.point import Point, cross, dot
 from exactmesh.planar.pslg import Pslg
 from exactmesh.steps import offset_check
 from exactmesh.steps.constants import FLAT, LEVEL, SEPARATION
@@ -249,3 +252,41 @@ def test_verdicts_say_all_there_is_to_say():
     harmed = [(f"{number}: {check}", verdict) for number, (pslg, harm, _) in enumerate(HARMS)
               for check, verdict in zip(CHECKS, verdicts(pslg, harm), strict=True)]
     agree("offset", none + harmed)
+
+
+def turned(start, direction):
+    """Return how far a direction is turned counter-clockwise from `start`: exact, growing with the angle, below 4."""
+    x, y = dot(start, direction), cross(start, direction)
+    share = mpq(y) / (abs(x) + abs(y))
+    return share % 4 if x >= 0 else 2 - share
+
+
+@pytest.mark.parametrize("size", [mpq(1, 7), mpq(3)])
+def test_a_direction_lies_within_an_angle_or_not(size):
+    directions = [Point(size * x, size * y) for x in range(-2, 3) for y in range(-2, 3) if x or y]
+    for start, end, direction in product(directions, repeat=3):
+        whole = turned(start, end) or 4  # equal directions make a full turn
+        within = 0 < turned(start, direction) < whole
+        assert offset_check._is_within(start, end, direction) == within, (start, end, direction)
+
+
+def test_walks_turn_left_or_not_however_thin():
+    # A triangle, the same the other way round, one too thin for floats, both ways, and what encloses nothing.
+    thin = mpq(1, 10**40)
+    points = Columns([Point(mpq(x), mpq(y)) for x, y in ((0, 0), (3, 0), (0, 3), (1, 1 + thin), (2, 2), (1, 1))])
+    cycles = [(0, 1, 2), (2, 1, 0), (0, 4, 3), (3, 4, 0), (0, 4, 5), (0, 4), (1, 2, 0, 1, 2, 0)]
+    expected = [True, False, True, False, False, False, True]
+    forget()
+    assert offset_check._turn_left(points, cycles) == expected
+    counts = decisions()["ring"]
+    assert counts.by_floats + counts.exactly == 7 and counts.exactly >= 4
+    assert offset_check._turn_left(points, []) == []
+    assert offset_check._turn_left(points, [(), (0, 1, 2), (2, 1, 0)]) == [False, True, False]
+    quad = Columns([Point(mpq(x), mpq(y)) for x, y in ((0, 0), (thin, 0), (5, 5), (5 - thin, 5 + thin))])
+    assert offset_check._turn_left(quad, [(0, 1, 2, 3), (3, 2, 1, 0), (1, 2, 3, 0)]) == [True, False, True]
+
+
+def test_each_face_of_p_says_which_vertices_are_isolated():
+    shape = unit_shape(HOLED)
+    with pytest.raises(ValueError):
+        check_nesting(replace(shape, isolated=()), offset(shape))

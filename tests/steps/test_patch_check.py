@@ -7,6 +7,7 @@ from constructions import clauses_of, run
 from gmpy2 import mpq
 from recorded import agree
 
+from exactmesh.geometry.decisions import decisions, forget
 from exactmesh.geometry.point import Point
 from exactmesh.steps import patch_check
 from exactmesh.steps.constants import EDGE_GAP, FEATURE
@@ -258,3 +259,22 @@ def test_verdicts_say_all_there_is_to_say():
     made = [("good", BASE), *((f"harm {number}", harm(BASE)) for number, (harm, _) in enumerate(HARMS))]
     agree("patch", [(f"{name}: {check}", verdict) for name, construction in made
                     for check, verdict in everything(construction).items() if name == "good" or not verdict.holds])
+
+
+def test_gaps_below_the_bound_are_refused():
+    # The three pieces of an edge, the one in the middle a hair too short.
+    made = BASE
+    edge = made.trapezoidation.edge[0]
+    k, following = made.offset.first + edge, made.offset.first + made.offset.successors()[edge]
+    points = list(made.points)
+    points[k], points[following] = Point(mpq(0), mpq(0)), Point(mpq(9), mpq(0))
+    ends = tuple(Point(x, mpq(0)) for x in (mpq(4), 4 + EDGE_GAP - mpq(1, 10**30)))
+    first = made.trapezoidation.first
+    points[first : first + 2] = ends
+    chords = replace(made.trapezoidation, edge=(edge, edge), points=ends)
+    level = replace(made.offset, points=tuple(points[made.offset.first : made.offset.first + len(made.offset.points)]))
+    forget()
+    verdict = check_edge_gaps(level, chords, replace(made.interior, on_edge=()), points)
+    assert not verdict.holds and verdict.instances == 3
+    assert verdict.witness.place == {"edge_of_q": edge, "vertices": [first, first + 1], "at": str(ends[0])}
+    assert decisions()["edge gap"].by_floats + decisions()["edge gap"].exactly == 3
