@@ -27,23 +27,10 @@ UNSETTLED = MappingProxyType({
     "section-1.holes": (
         "it is about a program that the paper does not describe; the repaired construction takes holes, and is checked"
         " on each"),
-    "section-1.classic-triangulation": _RUN,
     "table-1.proper": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "table-1.nonproper": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "table-1.internal": _WHOLE + "`exactmesh reproduce table1` shows the growth",
-    "lemma-3.positions": _RUN,
-    "lemma-3.triangulation": _RUN,
-    "lemma-3.boundary": _RUN,
-    "section-2.p2-single-curve": (
-        "that an offset curve is one curve is a topological argument; checked on every run, and no exception is known"),
-    "section-2.arc-below-180": (
-        "the arc is 180 degrees less the outer angle, which is a definition and no inequality to prove; checked on "
-        "every run"),
-    "section-2.p3-refinement": "it says what the construction does; checked on every run",
-    "section-2.p5-grid": "it says what the construction does: chords are put on levels; checked on every run",
-    "section-2.p5-tiles": _RUN,
     "section-2.tube-keeps-boundary": _RUN,
-    "section-2.p6-tiles": _RUN,
     "tube.tiles": _RUN,
     "phase-1.structure": _RUN,
     "phase-2.lower-feature-size": (
@@ -55,17 +42,12 @@ UNSETTLED = MappingProxyType({
     "theorem-1.triangulation": _RUN,
     "theorem-2.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),
-    "theorem-2.proper-rectangle": _RUN,
     "theorem-2.triangulation": _RUN,
     "theorem-3.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.internal-degradation`)"),
     "theorem-3.triangulation": _RUN,
     "section-5.pieces": _SECTION_5,
     "section-5.pieces-many": _SECTION_5,
-    "appendix-a.both-ends-reflex": (
-        "there is nothing to prove: between two reflex corners the segment is the edge, moved"),
-    "repaired.trapezoidation": _RUN,
-    "repaired.chord-touch": _RUN,
     "repaired.interior-tiling": _RUN,
     "repaired.interior-feature": (
         "clean trapezoids, wedges and cross edges are proved; pieces with a short clean side, and the split into cases"

@@ -1,0 +1,11 @@
+; p2.corner-foot-acute: and before the end of f, w acute
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const k Real)
+(declare-const y Real)
+(assert (> (* 1.0 k) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (> (+ (* 1.0 k) (* (- 4.0) y)) 0.0))
+(assert (>= (+ (* 1.0 k) (- 1.0)) 0.0))
+(assert (> (+ (* 2.0 k k k y) (* (- 1.0) k k k k) (* (- 2.0) k y) (* (- 1.0) k k) (- 1.0)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; p2.order: edges from y to z and from x to u, y <= x and z <= u, one strictly: y z is first in between
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const t Real)
+(declare-const u Real)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const z Real)
+(assert (>= (+ (* 1.0 x) (* (- 1.0) y)) 0.0))
+(assert (>= (+ (* 1.0 u) (* (- 1.0) z)) 0.0))
+(assert (> (+ (* 1.0 u) (* 1.0 x) (* (- 1.0) y) (* (- 1.0) z)) 0.0))
+(assert (> (* 1.0 t) 0.0))
+(assert (> (+ (* (- 1.0) t) 1.0) 0.0))
+(assert (>= (+ (* (- 1.0) t u) (* 1.0 t x) (* (- 1.0) t y) (* 1.0 t z) (* (- 1.0) x) (* 1.0 y)) 0.0))
+(check-sat)

@@ -1,0 +1,9 @@
+; tilings.gap: (u, F, E), F beyond E, u below
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const X Real)
+(declare-const x Real)
+(assert (> (* 1.0 x) 0.0))
+(assert (> (+ (* 1.0 X) (* (- 1.0) x)) 0.0))
+(assert (>= (+ (* (- (/ 1.0 3.0)) X) (* (/ 1.0 3.0) x)) 0.0))
+(check-sat)

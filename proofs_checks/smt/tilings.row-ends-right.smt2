@@ -1,0 +1,7 @@
+; tilings.row-ends-right: (u_m-1, c, C)
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const g Real)
+(assert (> (* 1.0 g) 0.0))
+(assert (>= (* (- 1.0) g) 0.0))
+(check-sat)
