@@ -26,10 +26,11 @@ LEAST = 95
 COPIED = ("exactmesh", "tests", "proofs_checks", "docs")
 
 ALGEBRAIC = ("tests/numbers/test_algebraic.py", "tests/numbers/test_root.py", "tests/numbers/test_number_details.py")
+COLUMNS = ("tests/geometry/test_balls.py", "tests/steps/test_patch_check.py", "tests/steps/test_offset_check.py")
 VALIDITY = ("tests/measure/test_validity.py", "tests/measure/test_verdict.py")
 PROOFS = ("tests/proofs/test_certificates.py", "tests/proofs/test_proof_details.py")
 STEPS = ("appendix_a", "lemma_1", "lemma_3", "mesh", "offset", "offset_curve", "p5", "paper_interior", "paper_tube",
-         "patch", "shape", "snap", "trapezoidation")
+         "patch", "shape", "size", "snap", "trapezoidation")
 # The modules that verdicts rest on, each with the tests that are run against its mutants.
 TARGETS: Mapping[str, Sequence[str]] = {
     "exactmesh/check.py": ("tests/certificate/test_check.py", "tests/certificate/test_check_details.py"),
@@ -42,9 +43,15 @@ TARGETS: Mapping[str, Sequence[str]] = {
     "exactmesh/geometry/distance.py": ("tests/geometry/test_distance.py",),
     "exactmesh/geometry/filtered.py": ("tests/geometry/test_filtered.py",),
     "exactmesh/geometry/incircle.py": ("tests/geometry/test_incircle.py",),
+    **{f"exactmesh/geometry/{name}.py": COLUMNS for name in ("balls", "columns", "face_columns", "decisions")},
+    "exactmesh/geometry/fixed_point.py": ("tests/geometry/test_fixed_point.py", "tests/measure/test_mesh_faces.py"),
+    "exactmesh/planar/half_edges.py": ("tests/planar/test_half_edges.py",),
+    "exactmesh/planar/faces.py": ("tests/planar/test_faces.py", "tests/planar/test_half_edges.py"),
+    "exactmesh/planar/validate.py": ("tests/planar/test_validate.py",),
     "exactmesh/measure/verdict.py": ("tests/measure/test_verdict.py",),
     "exactmesh/measure/face_feature.py": ("tests/measure/test_face_feature.py",),
     "exactmesh/measure/validity.py": VALIDITY,
+    "exactmesh/measure/mesh_faces.py": ("tests/measure/test_mesh_faces.py",),
     "exactmesh/proofs/certificate.py": PROOFS,
     "exactmesh/proofs/polynomial.py": PROOFS,
     "exactmesh/certificate/record.py": ("tests/certificate/test_record.py",),

@@ -7,7 +7,7 @@ import oracle
 import pytest
 from constructions import clauses_of
 from gmpy2 import mpq
-from recorded import agree
+from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
@@ -114,17 +114,18 @@ def test_all_clauses_are_known():
 
 
 def test_verdicts_say_all_there_is_to_say():
-    verdicts = []
-    for name in ("spike room", "growth 24", "turned comb"):
-        made = MADE[name]
-        near = made.points[made.interior.faces[0][0]]
-        points = moved(made, made.interior.first, Point(near.x, near.y + mpq(1, 10**9)))
-        args = {"good": (made.trapezoidation, made.interior, made.points),
-                "moved": (made.trapezoidation, made.interior, points),
-                "crossed": (crossed(made.trapezoidation), made.interior, made.points),
-                "without a face": (made.trapezoidation, replace(made.interior, faces=made.interior.faces[1:]),
-                                   made.points)}
-        for what, (chords, interior, places) in args.items():
-            found = [*checks(chords, interior, places), check_side_distance(chords, places)]
-            verdicts += [(f"{name}, {what}: {number}", verdict) for number, verdict in enumerate(found)]
-    agree("lemma_1", verdicts)
+    with recorded("lemma_1", lemma_1_check) as lines:
+        verdicts = []
+        for name in ("spike room", "growth 24", "turned comb"):
+            made = MADE[name]
+            near = made.points[made.interior.faces[0][0]]
+            points = moved(made, made.interior.first, Point(near.x, near.y + mpq(1, 10**9)))
+            args = {"good": (made.trapezoidation, made.interior, made.points),
+                    "moved": (made.trapezoidation, made.interior, points),
+                    "crossed": (crossed(made.trapezoidation), made.interior, made.points),
+                    "without a face": (made.trapezoidation, replace(made.interior, faces=made.interior.faces[1:]),
+                                       made.points)}
+            for what, (chords, interior, places) in args.items():
+                found = [*checks(chords, interior, places), check_side_distance(chords, places)]
+                verdicts += [(f"{name}, {what}: {number}", verdict) for number, verdict in enumerate(found)]
+        lines += verdicts

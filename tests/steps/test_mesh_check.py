@@ -6,7 +6,7 @@ from math import log2
 import pytest
 from constructions import clauses_of, run
 from gmpy2 import mpq
-from recorded import agree
+from recorded import recorded
 
 from exactmesh.measure.mfs import Nearest
 from exactmesh.measure.validity import Violation
@@ -129,16 +129,17 @@ def test_every_clause_is_tested_above():
 
 
 def test_verdicts_say_all_there_is_to_say():
-    internal = replace(GOOD, kind="internal", input_ifs=Nearest(mpq(1), 0, (1, 2)),
-                       mesh_ifs=Nearest(mpq(1, 45**2), 4, (5, 6)))
-    pair = replace(GOOD, mesh_mfs=Nearest(INPUT / 3, 3, (8, 8)))
-    verdicts = []
-    for name, found in (("good", GOOD), ("invalid", invalid()), ("pair", pair), ("internal", internal)):
-        verdicts += [(f"{name}: {check.__name__}", check(found))
-                     for check in (*ON_MESH, check_valid, check_internal_degradation)]
-        verdicts += [(f"{name}: {check.__name__}", check(found, 7))
-                     for check in (check_proper_degradation, check_vertex_count)]
-    agree("mesh", verdicts)
+    with recorded("mesh", mesh_check) as lines:
+        internal = replace(GOOD, kind="internal", input_ifs=Nearest(mpq(1), 0, (1, 2)),
+                           mesh_ifs=Nearest(mpq(1, 45**2), 4, (5, 6)))
+        pair = replace(GOOD, mesh_mfs=Nearest(INPUT / 3, 3, (8, 8)))
+        verdicts = []
+        for name, found in (("good", GOOD), ("invalid", invalid()), ("pair", pair), ("internal", internal)):
+            verdicts += [(f"{name}: {check.__name__}", check(found))
+                         for check in (*ON_MESH, check_valid, check_internal_degradation)]
+            verdicts += [(f"{name}: {check.__name__}", check(found, 7))
+                         for check in (check_proper_degradation, check_vertex_count)]
+        lines += verdicts
 
 
 def test_an_internal_mesh_needs_both_feature_sizes():

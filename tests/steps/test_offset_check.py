@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 from constructions import HALL, clauses_of, graph, run, unit_shape
 from gmpy2 import mpq
-from recorded import agree
+from recorded import recorded
 
 from exactmesh.geometry.columns import Columns
 from exactmesh.geometry.decisions import decisions, forget
@@ -247,11 +247,12 @@ CHECKS = ("least", "greatest", "separation", "nesting")
 
 
 def test_verdicts_say_all_there_is_to_say():
-    none = [(f"{name}: {check}", verdict) for name, pslg in (("l", L_SHAPE), ("rooms", TWO_ROOMS), ("holed", HOLED))
-            for check, verdict in zip(CHECKS, verdicts(pslg, lambda q: q), strict=True)]
-    harmed = [(f"{number}: {check}", verdict) for number, (pslg, harm, _) in enumerate(HARMS)
-              for check, verdict in zip(CHECKS, verdicts(pslg, harm), strict=True)]
-    agree("offset", none + harmed)
+    with recorded("offset", offset_check) as lines:
+        none = [(f"{name}: {check}", verdict) for name, pslg in (("l", L_SHAPE), ("rooms", TWO_ROOMS), ("holed", HOLED))
+                for check, verdict in zip(CHECKS, verdicts(pslg, lambda q: q), strict=True)]
+        harmed = [(f"{number}: {check}", verdict) for number, (pslg, harm, _) in enumerate(HARMS)
+                  for check, verdict in zip(CHECKS, verdicts(pslg, harm), strict=True)]
+        lines += none + harmed
 
 
 def turned(start, direction):

@@ -7,7 +7,7 @@ import pytest
 from gmpy2 import mpq
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from recorded import agree
+from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.numbers.algebraic import Real, sqrt
@@ -220,9 +220,10 @@ def test_a_hair_below_the_bound_is_refused(squared, holds):
 
 
 def test_verdicts_say_all_there_is_to_say():
-    good = made(EVERY)
-    every = [*TRUE, check.check_octagon, check.check_through_interior]
-    curves = {"every": good, "square": made(SQUARE), "l": made(L), "facing": made(FACING)}
-    verdicts = [(f"{name}: {one.__name__}", one(*curve)) for name, curve in curves.items() for one in every]
-    agree("offset_curve", verdicts + [(f"{number}: {one.__name__}", one(*harm(*good)))
-                                      for number, (one, harm, _) in enumerate(HARMS)])
+    with recorded("offset_curve", check) as lines:
+        good = made(EVERY)
+        every = [*TRUE, check.check_octagon, check.check_through_interior]
+        curves = {"every": good, "square": made(SQUARE), "l": made(L), "facing": made(FACING)}
+        verdicts = [(f"{name}: {one.__name__}", one(*curve)) for name, curve in curves.items() for one in every]
+        lines += verdicts + [(f"{number}: {one.__name__}", one(*harm(*good)))
+                                          for number, (one, harm, _) in enumerate(HARMS)]

@@ -7,7 +7,7 @@ import oracle
 import pytest
 from constructions import clauses_of, face_feature_squared
 from gmpy2 import mpq
-from recorded import agree
+from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
@@ -100,14 +100,15 @@ def test_trapezoids_with_t_vertices_are_left_out_on_demand():
 
 
 def test_verdicts_say_all_there_is_to_say():
-    cases = [("good", INSIDE, MADE.points), ("near", INSIDE, near(NEW, INSIDE.faces[0][0])),
-             *((str(number), interior, points) for number, (interior, points, _) in enumerate(HARMS))]
-    verdicts = []
-    for name, interior, points in cases:
-        verdicts += [
-            (f"{name}: tiling", check_tiling(MADE.p4, CHORDS, interior, points)),
-            (f"{name}: degradation", check_degradation(MADE.p4, CHORDS, interior, points)),
-            (f"{name}: feature", check_feature(CHORDS, interior, points, MADE.p4.spacing, MADE.mfs_squared)),
-            (f"{name}: clean", check_feature(CHORDS, interior, points, MADE.p4.spacing, MADE.mfs_squared,
-                                             clean_only=True))]
-    agree("paper_interior", verdicts)
+    with recorded("paper_interior", paper_interior_check) as lines:
+        cases = [("good", INSIDE, MADE.points), ("near", INSIDE, near(NEW, INSIDE.faces[0][0])),
+                 *((str(number), interior, points) for number, (interior, points, _) in enumerate(HARMS))]
+        verdicts = []
+        for name, interior, points in cases:
+            verdicts += [
+                (f"{name}: tiling", check_tiling(MADE.p4, CHORDS, interior, points)),
+                (f"{name}: degradation", check_degradation(MADE.p4, CHORDS, interior, points)),
+                (f"{name}: feature", check_feature(CHORDS, interior, points, MADE.p4.spacing, MADE.mfs_squared)),
+                (f"{name}: clean", check_feature(CHORDS, interior, points, MADE.p4.spacing, MADE.mfs_squared,
+                                                 clean_only=True))]
+        lines += verdicts

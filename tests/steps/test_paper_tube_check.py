@@ -6,6 +6,7 @@ import families
 import pytest
 from constructions import clauses_of
 from gmpy2 import mpq
+from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
@@ -92,7 +93,8 @@ HARMS = {
                    "neighbours are the spacing apart"),
     "short side": (lambda: after.check_longer_side(MADE.tube, moved(A, B)), "|a b| >= |a a'|"),
     "many": (lambda: after.check_steiner_count(112, 3), "at most 36 Steiner vertices a corner"),
-    "T-vertex": (lambda: after.check_proper_elsewhere(MADE.interior, MADE.tube), "faces have three vertices"),
+    "T-vertex": (lambda: after.check_proper_elsewhere(MADE.interior, MADE.tube, ("rectangle",)),
+                 "faces have three vertices"),
     "prolonged": (lambda: before.check_spokes(MADE.shape, bent(MADE.curve), False), "the angle is at least 45 degrees"),
     "inner corner": (lambda: before.check_inner_corners(*whole(), OCTAGON),
                      "a' and b' are farther than 1/(2 d3) from the sides"),
@@ -182,3 +184,31 @@ def test_tops_alone_are_a_part_of_all():
         tops = before.check_spokes(made.shape, made.curve, True)
         assert tops.instances == 2 * len(made.shape.points) <= whole_verdict.instances
         assert tops.worst <= whole_verdict.worst
+
+
+def test_verdicts_say_all_there_is_to_say():
+    with recorded("paper_tube", after, before) as lines:
+        phases_of = sorted(set(MADE.tube.phase))
+        verdicts = [(name, judged()) for name, (judged, _) in HARMS.items()]
+        for name, made in (("room", MADE), ("star", STAR)):
+            shape, tube, points = made.shape, made.tube, made.points
+            g2 = made.p4.spacing**2 / made.mfs_squared
+            verdicts += [(f"{name}: {number}", verdict) for number, verdict in enumerate((
+                after.check_tiling(shape, made.p4, made.trapezoidation, made.interior, tube, points),
+                after.check_structure(shape, made.p4, points), angles(made, points),
+                after.check_cut_angle(made.trapezoidation, tube, points), after.check_projection(shape, tube, points),
+                after.check_upper(shape, tube, points, made.mfs_squared, g2),
+                after.check_lower(shape, tube, points, made.mfs_squared, g2 / 4),
+                after.check_low_vertex(shape, made.p4, tube, points, made.mfs_squared, g2 / 16),
+                after.check_gaps(tube, points, made.mfs_squared, g2), after.check_longer_side(tube, points),
+                after.check_steiner_count(7, 3), after.check_proper_elsewhere(made.interior, tube, ("rectangle",)),
+                *(after.check_feature(tube, points, made.mfs_squared, Tally(phase, ">=", g2 / 4), (phase,))
+                  for phase in phases_of),
+                after.check_feature(tube, points, made.mfs_squared, Tally("all", ">=", g2 / 4)),
+                before.check_spokes(shape, made.curve, False), before.check_spokes(shape, made.curve, True),
+                before.check_inner_corners(shape, made.curve, made.p4, tube, TUBE),
+                before.check_motion(shape, made.curve, made.p4, tube, points, TUBE)))]
+        verdicts += [(f"{name}: {check.__name__}", check(reading))
+                     for name, reading in (("octagon", OCTAGON), ("tube", TUBE))
+                     for check in (before.check_fan_number, before.check_motion_number, before.check_low_number)]
+        lines += verdicts

@@ -6,10 +6,11 @@ from pathlib import Path
 import families
 import pytest
 from gmpy2 import mpq
-from recorded import agree
+from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
+from exactmesh.steps import size_check
 from exactmesh.steps.size_check import Bits, bits_of, check_sizes, limits
 
 NAMES = ["comb 5", "turned comb", "random pslg 1", "map 1", "star 24", "partition 24", "reflex notch 1e-6", "30 digits"]
@@ -57,13 +58,14 @@ def test_a_longer_coordinate_is_refused(part):
 
 
 def test_verdicts_say_all_there_is_to_say():
-    verdicts = []
-    for name in NAMES:
-        made = Run((families.ALL_SMALL | families.SMALL_PSLGS)[name]).repaired
-        verdicts.append((name, verdict(made)))
-        for part in ("offset", "trapezoidation", "interior", "tube"):
-            record = getattr(made, part)
-            far = Point(mpq(1, 2**5_000), mpq(0))
-            harmed = replace(made, **{part: replace(record, points=(*record.points[:-1], far))})
-            verdicts.append((f"{name}: {part}", verdict(harmed)))
-    agree("size", verdicts)
+    with recorded("size", size_check) as lines:
+        verdicts = []
+        for name in NAMES:
+            made = Run((families.ALL_SMALL | families.SMALL_PSLGS)[name]).repaired
+            verdicts.append((name, verdict(made)))
+            for part in ("offset", "trapezoidation", "interior", "tube"):
+                record = getattr(made, part)
+                far = Point(mpq(1, 2**5_000), mpq(0))
+                harmed = replace(made, **{part: replace(record, points=(*record.points[:-1], far))})
+                verdicts.append((f"{name}: {part}", verdict(harmed)))
+        lines += verdicts
