@@ -1,0 +1,60 @@
+"""The lists of cases that programs make for the proofs are complete, and the comparisons see what is wrong."""
+
+import importlib
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import exactmesh
+from exactmesh.steps.records import Trapezoidation
+from exactmesh.steps.trapezoidation import trapezoidate
+
+
+@pytest.fixture
+def scripts(monkeypatch: pytest.MonkeyPatch) -> Any:
+    monkeypatch.syspath_prepend(str(Path(exactmesh.__file__).parents[1] / "proofs_checks"))
+    return importlib.import_module
+
+
+class TestSweep:
+    @pytest.mark.parametrize("levels, letters, count", [(1, 3, 61), (2, 2, 49), (3, 2, 245)])
+    def test_all_stacks_of_small_levels_are_swept_as_defined(self, scripts: Any, levels: int, letters: int, count: int
+                                                             ) -> None:
+        assert scripts("repaired_sweep").check_levels(levels, letters) == count
+
+    def test_what_is_compared(self, scripts: Any) -> None:
+        sweep = scripts("repaired_sweep")
+        # With one letter there are two that lead outside again; of two letters, two that pass have no vertex.
+        assert [len(list(sweep.stacks(1, n))) for n in (1, 2, 3)] == [2, 11, 61]
+        assert all(sweep.step((above, True), letter) == sweep.STEPS.get(((above, True), letter))
+                   for above in (False, True) for letter in (*sweep.VERTICES, sweep.PASS))
+        drawn = sweep.Drawn(((sweep.Letter(0, 2),), (sweep.Letter(2, 0),)))
+        assert not drawn.is_straight()
+
+    @pytest.mark.parametrize("harm", [
+        lambda made: replace(made, trapezoids=made.trapezoids[1:]),
+        lambda made: replace(made, trapezoids=tuple(replace(z, top=(), bottom=()) for z in made.trapezoids)),
+        lambda made: replace(made, edge=made.edge[::-1])], ids=["one too few", "no T-vertices", "ends exchanged"])
+    def test_a_harmed_sweep_is_seen(self, scripts: Any, monkeypatch: pytest.MonkeyPatch,
+                                    harm: Callable[[Trapezoidation], Trapezoidation]) -> None:
+        sweep = scripts("repaired_sweep")
+        monkeypatch.setattr(sweep, "trapezoidate", lambda offset: harm(trapezoidate(offset)))
+        with pytest.raises(AssertionError):
+            sweep.check_levels(1, 3)
+
+
+class TestOffset:
+    def test_there_are_six_kinds_of_corner_and_every_pair_has_a_label(self, scripts: Any) -> None:
+        nesting = scripts("repaired_nesting")
+        assert sum(nesting.corner_kinds().values()) == 32**2 and set(nesting.corner_kinds()) == set(nesting.KINDS)
+        assert {label for label, _ in nesting.pairs()} == set(nesting.LABELS)
+
+    def test_a_cap_that_goes_the_other_way_is_seen(self, scripts: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+        nesting = scripts("repaired_nesting")
+        vertices = nesting.vertices_at
+        monkeypatch.setattr(nesting, "vertices_at", lambda d0, d1: vertices(d0, d1)[::-1])
+        with pytest.raises(AssertionError):
+            nesting.corner_kinds()
