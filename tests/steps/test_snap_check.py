@@ -11,7 +11,7 @@ from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
-from exactmesh.numbers.algebraic import sqrt
+from exactmesh.numbers.algebraic import Real, sqrt
 from exactmesh.numbers.separation import Expr
 from exactmesh.paper import PaperOptions
 from exactmesh.steps import snap_check as check
@@ -208,6 +208,8 @@ def test_a_drawing_that_crosses_itself_is_no_drawing_of_a_polygon():
                              for name in ("x", "level", "corner", "points", "source")})
     verdict = check.check_perturbation(curve, p4)
     assert not verdict.holds and verdict.witness is not None and verdict.witness.clause == "the drawings are equivalent"
+    assert verdict.instances == 1
+    assert str(verdict.witness.place["what"]).startswith("edges 0 (0, 1) and 2 (2, 3) cross at")
 
 
 def test_the_bounds_are_those_of_the_reading():
@@ -228,3 +230,50 @@ def test_verdicts_say_all_there_is_to_say():
                        *((f"vertex 0 far off: {name}", one(name, made, far)) for name in ("motion", "lemma")),
                        *((f"{number}: {name}", one(name, made, harm(made.p4)))
                          for number, (name, harm, _) in enumerate(HARMS))]
+
+
+SQUARE = families.ring([(0, 0), (1, 0), (1, 1), (0, 1)])
+
+
+@pytest.mark.parametrize("motion, instances, holds", [
+    # The mfs of P3 is 1/2. A vertex that moves by a mfs, a being 0.24, leaves 1 - 2 a of it at least.
+    (mpq(24, 100), 1, True), (mpq(1, 4), 0, True), (mpq(1, 4) - mpq(1, 10**30), 1, True), (mpq(26, 100), 0, True)])
+def test_lemma_2_speaks_of_motions_below_half_the_mfs(motion, instances, holds):
+    made = paper(SQUARE)
+    at = [Point(mpq(x, 4), mpq(y, 4)) for x, y in ((1, 1), (3, 1), (3, 3), (1, 3))]
+    p4 = replace(made.p4, points=(Point(at[0].x + motion, at[0].y), *at[1:]))
+    verdict = check.check_perturbation(made.curve, p4)
+    assert (verdict.instances, verdict.holds) == (instances, holds)
+    if instances:
+        assert verdict.worst == 4 * (mpq(1, 2) - motion + 2 * motion) ** 2
+        assert verdict.witness.place == {"vertex_of_p4": 0, "edge_of_p4": [1, 2],
+                                         "motion": sqrt(Real(motion**2)).decimal()}
+
+
+def test_a_spacing_of_nothing_is_no_spacing():
+    made = paper(L)
+    verdict = check.check_motion(made.curve, replace(made.p4, spacing=mpq(0)), OCTAGON)
+    assert verdict.witness.clause == "S5: the spacing is at most 1/(2 d3)"
+    assert verdict.witness.place == {"spacing": "0"} and verdict.instances == 0
+
+
+def test_a_spacing_of_just_the_bound_is_allowed():
+    made = paper(SQUARE)
+    p4 = replace(made.p4, spacing=mpq(1, 8), level=(2, 2, 6, 6),
+                 points=tuple(Point(x, mpq(y, 4)) for x, y in zip(made.p4.x, (1, 1, 3, 3), strict=True)))
+    assert check.check_motion(made.curve, p4, Real(mpq(1, 4))).holds
+    assert not check.check_motion(made.curve, p4, Real(mpq(1, 4) - mpq(1, 10**40))).holds
+
+
+def test_rings_have_their_edges_one_after_the_other():
+    made = paper(SQUARE)
+    (ring,) = made.curve.rings
+    assert check._rings(replace(made.curve, rings=(ring, ring[:3]))) == [
+        [(0, 1), (1, 2), (2, 3), (3, 0)], [(4, 5), (5, 6), (6, 4)]]
+
+
+def test_nothing_is_judged_without_vertices():
+    made = paper(SQUARE)
+    empty = replace(made.p4, x=(), level=(), corner=(), points=(), source=(), rings=())
+    verdict = check.check_tube_distance(made.shape, replace(made.curve, rings=()), empty, OCTAGON)
+    assert (verdict.instances, verdict.holds, verdict.worst) == (0, True, None)

@@ -7,6 +7,8 @@ from constructions import clauses_of, points_of, rings_on_levels, run
 from gmpy2 import mpq
 from recorded import recorded
 
+from exactmesh.geometry.columns import Columns
+from exactmesh.geometry.decisions import Count, decisions, forget
 from exactmesh.geometry.point import Point
 from exactmesh.steps import trapezoidation_check
 from exactmesh.steps.constants import GAP, LEVEL, LEVEL_EDGE, SEPARATION
@@ -213,3 +215,72 @@ def test_verdicts_say_all_there_is_to_say():
                  for q in [rings_on_levels([(mpq(x), y) for x, y in ring])]]
         lines += [(f"{name}: {check}", verdict) for name, q, chords in made
                                  for check, verdict in zip(CHECKS, everything(q, chords), strict=True)]
+
+
+TENT = rings_on_levels([(0, 0), (7, 0), (7, 2), (3, 5), (0, 2)])
+TENTED = trapezoidate(TENT)
+"""A rectangle below a triangle, which has an apex."""
+ODD = [
+    with_one(1, tl=lambda z: z.tr, tr=lambda z: z.tl), with_one(1, tl=lambda z: z.bl), with_one(1, bl=lambda z: z.br),
+    with_one(1, top=lambda z: (z.tl,)), with_one(1, top=lambda z: (z.bl,)), with_one(1, left=lambda z: z.right),
+    with_one(1, high=lambda z: z.low), with_one(1, tl=lambda z: z.bl, tr=lambda z: z.bl),
+    with_one(0, bl=lambda z: z.br, tl=lambda z: z.tr), with_one(0, bottom=lambda z: (z.bl,)),
+    with_one(0, bl=lambda z: z.br, br=lambda z: z.bl), with_one(0, right=lambda z: z.left),
+]
+
+
+@pytest.mark.parametrize("q, chords", [(ROOM, CHORDS), (TENT, TENTED), *((ROOM, harm(CHORDS)) for harm, _ in HARMS[3:]),
+                                       *((TENT, harm(TENTED)) for harm in ODD)])
+def test_arrays_say_what_the_definition_says(q, chords):
+    points, following = points_of(q, chords), q.successors()
+    broken_ones = [trapezoidation_check._broken(
+        z, [(q.points[e], q.points[following[e]]) for e in (z.left, z.right)], points, q.height)
+        for z in chords.trapezoids]
+    sound = trapezoidation_check._are_sound(q, chords, Columns(points))
+    assert sound.tolist() == [clause is None for clause in broken_ones]
+
+
+@pytest.mark.parametrize("q, chords", [(ROOM, CHORDS), (TENT, TENTED)])
+def test_what_is_recorded_needs_no_exact_decision(q, chords, monkeypatch):
+    def refuse(*points):
+        raise AssertionError(f"exact orientation of {points}")
+
+    monkeypatch.setattr(trapezoidation_check, "orientation", refuse)
+    forget()
+    points = points_of(q, chords)
+    everything(q, chords)
+    counts = decisions()
+    apexes = sum((z.bl == z.br) + (z.tl == z.tr) for z in chords.trapezoids)
+    neighbours = sum(len(z.bottom) + len(z.top) + 2 for z in chords.trapezoids) - apexes
+    assert (counts["order on a side"].by_floats, counts["order on a side"].exactly) == (neighbours, 0)
+    gaps, edges, legs = check_gaps(q, chords, points)
+    for name, instances in (("clearance", 2 * len(chords.points)), ("chord gap", gaps.instances + edges.instances),
+                            ("chord leg", legs.instances)):
+        found = counts.get(name, Count())
+        assert found.by_floats + found.exactly == instances
+
+
+def test_where_a_ring_begins_changes_no_gap():
+    for ring, _ in BAD_RINGS:
+        found = set()
+        for k in range(len(ring)):
+            q = rings_on_levels([(mpq(x), y) for x, y in ring[k:] + ring[:k]])
+            chords = trapezoidate(q)
+            found.add(tuple((v.instances, v.holds, v.worst) for v in check_gaps(q, chords, points_of(q, chords))))
+        assert len(found) == 1
+
+
+@pytest.mark.parametrize("end", range(len(CHORDS.points)))
+def test_each_chord_end_is_named_that_its_edge_hardly_goes_beyond(end):
+    edge = CHORDS.edge[end]
+    a, p = ROOM.points[edge], CHORDS.points[end]
+    near = Point(p.x, a.y + (p.y - a.y) / 10**6)
+    chords = replace(CHORDS, points=(*CHORDS.points[:end], near, *CHORDS.points[end + 1:]))
+    verdict = check_clearance(ROOM, chords, points_of(ROOM, chords))
+    assert not verdict.holds and verdict.worst == abs(p.y - a.y) / 10**6
+    assert verdict.witness.place == {"vertex": CHORDS.first + end, "edge_of_q": edge, "at": str(near)}
+
+
+def test_every_chord_end_needs_its_edge():
+    with pytest.raises(ValueError):
+        check_tiling(ROOM, replace(CHORDS, edge=CHORDS.edge[:-1]), points_of(ROOM, CHORDS))
