@@ -3,7 +3,6 @@
 Every error is one line that begins with the path.
 """
 
-import gc
 import hashlib
 import os
 import re
@@ -13,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Literal
 
+from exactmesh.collector import collector_paused
 from exactmesh.errors import FormatError, InputError
 from exactmesh.io.as_written import pslg_as_written
 from exactmesh.io.cgshop import is_instance, pslg_from_instance
@@ -71,7 +71,7 @@ def read_pslg(path: str) -> Source:
 
     Raises `InputError` when the file cannot be read, and `FormatError` when it is not of a known format.
     """
-    with blaming(path), _collector_paused():
+    with blaming(path), collector_paused():
         data = bytes_at(path)
         digest = hashlib.sha256(data)
 
@@ -96,7 +96,7 @@ def read_mesh(path: str) -> MeshSource:
 
     Raises `InputError` when the file cannot be read, and `FormatError` when it is not a mesh.
     """
-    with blaming(path), _collector_paused():
+    with blaming(path), collector_paused():
         data = bytes_at(path)
         text = text_from_bytes(data)
         if _syntax(text, path) != "json":
@@ -114,22 +114,6 @@ def blaming(path: str) -> Iterator[None]:
         raise FormatError(f"{name}: {error.place}" if error.place else name, error.reason) from error
     except InputError as error:
         raise InputError(f"{name}: {error}") from error
-
-
-@contextmanager
-def _collector_paused() -> Iterator[None]:
-    """Keep the cycle collector from walking the records again and again while they grow.
-
-    They hold no cycles, so it would find nothing; without it a file of a million vertices is read in half the
-    time.
-    """
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
 
 
 def read_bytes(path: str) -> bytes:

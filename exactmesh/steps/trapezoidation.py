@@ -5,7 +5,8 @@ Out     `Trapezoidation`.
 Exact   levels are integers; the abscissa of a chord end is a crossing of an edge with a level.
 How     one sweep upwards over the levels that carry vertices. The edges crossed by the sweep line, from left to
         right, are left and right legs in turn; a trapezoid ends at a level where a vertex lies on the closed segment
-        between its legs. Several vertices and horizontal edges on one level need no special treatment.
+        between its legs. Several vertices and horizontal edges on one level need no special treatment. A vertex alone
+        on its level where one edge ends and one starts, like most, replaces one leg by another and needs no search.
 Check   `trapezoidation_check.py`
 """
 
@@ -20,6 +21,7 @@ from gmpy2 import mpq
 from exactmesh.geometry.columns import column_of
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point
+from exactmesh.planar.status import Status
 from exactmesh.steps.records import Cycle, Offset, Trapezoid, Trapezoidation
 
 
@@ -39,8 +41,13 @@ def trapezoidate(offset: Offset) -> Trapezoidation:
 
 
 class _Sweep:
-    """`status` has the edges that reach above the sweep line, from left to right; an edge has the number of the vertex
-    of Q it starts from. `lower[e]`, `upper[e]` are its ends by level, as vertices of Q; -1 when it is horizontal."""
+    """An edge has the number of the vertex of Q it starts from. `lower[e]`, `upper[e]` are its ends by level, as
+    vertices of Q; -1 when it is horizontal.
+
+    Edges that reach above the sweep line are in strands: where one edge ends and one starts, a strand goes on with the
+    next edge. `status` has the strands from left to right, `edge_of[strand]` their edges now. `open` has what is open
+    by the strand of its left leg, `left_of` that strand by the one of the right leg.
+    """
 
     def __init__(self, offset: Offset) -> None:
         self.offset = offset
@@ -57,8 +64,13 @@ class _Sweep:
                 self.is_left[e] = True
                 self.lower[e], self.upper[e] = b, a
         self.filter = _Filter(offset, self.lower, self.upper)
-        self.status = _Status()
+        self.status = Status(len(self.x))
+        self.strand = list(range(len(self.x)))
+        # The last one is for no strand, -1.
+        self.edge_of = [*range(len(self.x)), -1]
         self.open: dict[int, _Open] = {}
+        self.left_of: dict[int, int] = {}
+        self._first = offset.first + len(self.x)
         self.trapezoids: list[Trapezoid] = []
         self.chord_ends: list[Point] = []
         self.chord_edges: list[int] = []
@@ -68,17 +80,38 @@ class _Sweep:
         for v, level in enumerate(self.level):
             rows[level].append(v)
         for level in sorted(rows):
-            self._pass(level, sorted(rows[level], key=self.x.__getitem__))
+            row = rows[level]
+            self.height = self.offset.points[row[0]].y
+            if len(row) > 1 or not self._replaced_a_leg(row[0], level):
+                self._pass(level, sorted(row, key=self.x.__getitem__))
         note("place in the sweep", self.filter.asked, self.filter.exactly)
         return Trapezoidation(self._first, tuple(self.chord_ends), tuple(self.chord_edges), tuple(self.trapezoids))
-
-    @property
-    def _first(self) -> int:
-        return self.offset.first + len(self.x)
+    def _replaced_a_leg(self, v: int, level: int) -> bool:
+        """Move the sweep line over a level with one vertex, if one edge ends there and one starts; return whether."""
+        ended, begun = self.incoming[v], v
+        if self.upper[begun] == v:
+            ended, begun = begun, ended
+        if self.upper[ended] != v or self.lower[begun] != v:
+            return False
+        strand = self.strand[begun] = self.strand[ended]
+        self.edge_of[strand] = begun
+        here, other = self.offset.first + v, self._first + len(self.chord_ends)
+        if self.is_left[ended]:
+            low, right, bl, br, bottom = self.open[strand]
+            self.trapezoids.append(Trapezoid(low, level, ended, right, bl, br, other, here, bottom, ()))
+            self.open[strand] = _Open(level, right, here, other, ())
+            self._add_chord_end(right, level)
+        else:
+            strand = self.left_of[strand]
+            left = self.edge_of[strand]
+            low, _, bl, br, bottom = self.open[strand]
+            self.trapezoids.append(Trapezoid(low, level, left, ended, bl, br, here, other, bottom, ()))
+            self.open[strand] = _Open(level, begun, other, here, ())
+            self._add_chord_end(left, level)
+        return True
 
     def _pass(self, level: int, row: list[int]) -> None:
         """Move the sweep line over one level, which carries the vertices `row` from left to right."""
-        self.height = self.offset.points[row[0]].y
         found = [self._found(v, level) for v in row]
         below, going_on = self._touched(found, level)
         ends: dict[int, int] = {}
@@ -88,6 +121,7 @@ class _Sweep:
         above: dict[int, list[int]] = defaultdict(list)
         begun: dict[int, int] = {}
         for here, (before, after) in zip(found, beside, strict=True):
+            self._go_on(here, before)
             for e in sorted(here.starting):
                 if self.is_left[e]:
                     begun[e] = after if e == here.starting[-1] else here.starting[1]
@@ -97,19 +131,37 @@ class _Sweep:
             self._open(left, (*found[number].starting, beside[number][1])[0], level, above.get(left, []), ends)
         for left, right in begun.items():
             self._open(left, right, level, above.get(left, []), ends)
-        self.status.replace([(*here.at, len(here.ending), here.starting) for here in found])
 
     def _found(self, v: int, level: int) -> "_Found":
         """Return what the sweep line meets at a vertex."""
-        status = self.status
+        status, edge_of = self.status, self.edge_of
         edges = self.incoming[v], v
         ending = [e for e in edges if self.upper[e] == v]
         starting = [e for e in edges if self.lower[e] == v]
-        at = block, place = status.place(self.filter, v, level)
-        if len(ending) == 2 and status.edge(block, place) != ending[0]:
-            ending = ending[::-1]
-        return _Found(v, at, status.edge(block, place - 1), ending, status.edge(block, place + len(ending)),
-                      self.filter.from_the_left(starting))
+        if ending:
+            at = status.place(self.strand[ending[0]])
+            if len(ending) == 2 and status.before(at) == self.strand[ending[1]]:
+                ending = ending[::-1]
+                at = status.place(self.strand[ending[0]])
+        else:
+            at = status.first(lambda strands: self.filter.count_left(strands, edge_of, v, level))
+        _, after = status.run(at, lambda strand: edge_of[strand] in ending)
+        return _Found(v, edge_of[status.before(at)], ending, edge_of[after], self.filter.from_the_left(starting))
+
+    def _go_on(self, here: "_Found", before: int) -> None:
+        """Put the edges that start at a vertex in the place of those that end there, right of the edge `before`."""
+        status, strand = self.status, self.strand
+        if len(here.ending) == len(here.starting) == 1:
+            strand[here.starting[0]] = strand[here.ending[0]]
+            self.edge_of[strand[here.ending[0]]] = here.starting[0]
+        elif here.ending:
+            status.replace(status.place(strand[here.ending[0]]), len(here.ending), here.starting)
+        elif here.starting:
+            at = status.first(lambda strands: 0)
+            if before >= 0:
+                block, place = status.place(strand[before])
+                at = block, place + 1
+            status.replace(at, 0, here.starting)
 
     def _touched(self, found: "list[_Found]", level: int) -> tuple[dict[int, list[int]], dict[int, int]]:
         """Return the left legs of the open trapezoids that a vertex of the row lies on, with the vertices strictly
@@ -129,14 +181,15 @@ class _Sweep:
         return touched, {left: first[left] for left in touched if self.level[self.upper[left]] > level}
 
     def _close(self, left: int, level: int, inner: list[int], ends: dict[int, int]) -> None:
-        begun = self.open.pop(left)
+        begun = self.open.pop(self.strand[left])
         tl, tr = self._leg_at(left, level, ends), self._leg_at(begun.right, level, ends)
         self.trapezoids.append(Trapezoid(begun.low, level, left, begun.right, begun.bl, begun.br, tr, tl,
                                          begun.bottom, self._named(inner)))
 
     def _open(self, left: int, right: int, level: int, inner: list[int], ends: dict[int, int]) -> None:
         bl, br = self._leg_at(left, level, ends), self._leg_at(right, level, ends)
-        self.open[left] = _Open(level, right, bl, br, self._named(inner))
+        self.open[self.strand[left]] = _Open(level, right, bl, br, self._named(inner))
+        self.left_of[self.strand[right]] = self.strand[left]
 
     def _named(self, inner: list[int]) -> Cycle:
         return tuple([self.offset.first + v for v in inner])
@@ -148,17 +201,19 @@ class _Sweep:
                 return self.offset.first + v
         if e not in ends:
             ends[e] = self._first + len(self.chord_ends)
-            self.chord_ends.append(Point(self.filter.x_at(e, level), self.height))
-            self.chord_edges.append(e)
+            self._add_chord_end(e, level)
         return ends[e]
+
+    def _add_chord_end(self, e: int, level: int) -> None:
+        self.chord_ends.append(Point(self.filter.x_at(e, level), self.height))
+        self.chord_edges.append(e)
 
 
 class _Found(NamedTuple):
-    """What the sweep line meets at vertex v: the place in the status, the edges that end and start there from left to
-    right, and the edges beside those, -1 where there is none."""
+    """What the sweep line meets at vertex v: the edges that end and start there from left to right, and the edges
+    beside those, -1 where there is none."""
 
     v: int
-    at: tuple[int, int]
     before: int
     ending: Sequence[int]
     after: int
@@ -178,67 +233,6 @@ def _beside(found: Sequence[_Found]) -> list[tuple[int, int]]:
         if close[i]:
             after[i] = found[i + 1].starting[0] if found[i + 1].starting else after[i + 1]
     return list(zip(before, after, strict=True))
-
-
-# Blocks of the status are halved beyond this many edges.
-_LONGEST = 512
-
-
-class _Status:
-    """Edges from left to right, in blocks, so that changes at a level move a few hundred numbers for each vertex.
-
-    A place is a block and a place in it; the end is behind the last edge of the last block. No block is empty, unless
-    it is the only one. `last` has the last edge of each block.
-    """
-
-    def __init__(self) -> None:
-        self.blocks: list[list[int]] = [[]]
-        self.last = [-1]
-
-    def place(self, floats: "_Filter", v: int, level: int) -> tuple[int, int]:
-        """Return the place of the first edge that is not left of vertex v, which is on the level."""
-        block = 0
-        if len(self.blocks) > 1:
-            block = min(floats.count_left(self.last, v, level), len(self.blocks) - 1)
-        return block, floats.count_left(self.blocks[block], v, level)
-
-    def edge(self, block: int, place: int) -> int:
-        """Return the edge at a place, which may be a little before or behind the block; -1 where there is none."""
-        while place < 0 and block:
-            block -= 1
-            place += len(self.blocks[block])
-        while block + 1 < len(self.blocks) and place >= len(self.blocks[block]):
-            place -= len(self.blocks[block])
-            block += 1
-        return self.blocks[block][place] if 0 <= place < len(self.blocks[block]) else -1
-
-    def replace(self, changes: Sequence[tuple[int, int, int, Sequence[int]]]) -> None:
-        """Put edges in place of others: changes from left to right, each a place, a number of edges and new edges."""
-        made: dict[int, list[int]] = {}
-        done: dict[int, int] = {}
-        for block, place, count, edges in changes:
-            merged = made.setdefault(block, [])
-            merged += self.blocks[block][done.get(block, 0) : place]
-            merged += edges
-            end = place + count
-            while end > len(self.blocks[block]):
-                # Edges that end here go on in the next block.
-                end -= len(self.blocks[block])
-                done[block] = len(self.blocks[block])
-                block += 1
-                made.setdefault(block, [])
-            done[block] = end
-        for block in sorted(made, reverse=True):
-            merged = made[block] + self.blocks[block][done[block] :]
-            parts = [merged]
-            if len(merged) > _LONGEST:
-                parts = [merged[i : i + _LONGEST // 2] for i in range(0, len(merged), _LONGEST // 2)]
-            elif not merged:
-                parts = []
-            self.blocks[block : block + 1] = parts
-            self.last[block : block + 1] = [part[-1] for part in parts]
-        if not self.blocks:
-            self.blocks, self.last = [[]], [-1]
 
 
 # Numbers of levels up to this are exact in floats.
@@ -277,15 +271,16 @@ class _Filter:
         x, low = self.x[a], self.level[a]
         return x + (self.x[b] - x) * (level - low) / (self.level[b] - low)
 
-    def count_left(self, status: Sequence[int], v: int, level: int) -> int:
-        """Return how many of some edges of the status are left of vertex v, which is on the level."""
+    def count_left(self, strands: Sequence[int], edge_of: Sequence[int], v: int, level: int) -> int:
+        """Return how many of some strands from left to right are left of vertex v, which is on the level; `edge_of` has
+        the edges that they are now."""
         lower, upper, xs, heights, slope, error = (self.lower, self.upper, self.rounded, self.height, self.slope,
                                                    self.error)
         x, height = xs[v], self._height(level)
-        start, end = 0, len(status)
+        start, end = 0, len(strands)
         while start < end:
             middle = (start + end) >> 1
-            e = status[middle]
+            e = edge_of[strands[middle]]
             self.asked += 1
             a = lower[e]
             off = xs[a] + slope[e] * (height - heights[a]) - x

@@ -11,7 +11,7 @@ import pytest
 from constructions import graph, offset_of, points_of, rings_on_levels, run
 from gmpy2 import mpq
 
-from exactmesh.steps import trapezoidation
+from exactmesh.planar import status
 from exactmesh.steps.constants import LEVEL
 from exactmesh.steps.trapezoidation import trapezoidate
 from exactmesh.steps.trapezoidation_check import check_clearance, check_tiling, check_touch
@@ -246,7 +246,7 @@ def test_the_blocks_of_the_status_do_not_matter(kind, longest, monkeypatch):
     pslg = families.comb(40) if kind == "comb" else families.random_simple_polygon(120, 5, kind)
     q = offset_of(pslg)
     whole = trapezoidate(q)
-    monkeypatch.setattr(trapezoidation, "_LONGEST", longest)
+    monkeypatch.setattr(status, "_LONGEST", longest)
     assert trapezoidate(q) == whole
 
 
