@@ -15,15 +15,16 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from exactmesh.geometry.point import Point
+from exactmesh.steps.balance import REPAIRED, Balance
 from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Offset, Patch, Trapezoidation
 from exactmesh.steps.wedges import BOTTOM, FLIPS, LEFT, RIGHT, TOP, Leftover
 
 
 def triangulate_interior(offset: Offset, trapezoidation: Trapezoidation, points: Sequence[Point],
-                         proper: bool = False) -> Patch:
+                         proper: bool = False, balance: Balance = REPAIRED) -> Patch:
     """Return the triangulation of all trapezoids; `points` has the vertices of P, Q and the chord ends."""
-    mesh = PatchBuilder(points, proper)
+    mesh = PatchBuilder(points, proper, balance)
     of_q = range(offset.first, trapezoidation.first)
     for z in trapezoidation.trapezoids:
         if z.top or z.bottom:

@@ -20,19 +20,26 @@ from exactmesh.geometry.columns import Columns, Vectors, indices
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point, cross, dot, minus
 from exactmesh.geometry.predicates import line_crossing
-from exactmesh.steps.constants import FLAT, LEVEL, WIDE
+from exactmesh.steps.balance import REPAIRED, Balance
 from exactmesh.steps.records import Offset, Shape
 
 _HALF = mpq(1, 2)
-# The vertices of K1 counter-clockwise, as (x, number of the level relative to the centre's): y = (number + 1/2) g.
-_BODY = ((WIDE, -1), (WIDE, 0), (FLAT, 1), (-FLAT, 1), (-WIDE, 0), (-WIDE, -1), (-FLAT, -2), (FLAT, -2))
-_BODY_POINTS = tuple(Point(x, (j + _HALF) * LEVEL) for x, j in _BODY)
-_SIZE = len(_BODY)
+_SIZE = 8
 
 
-def offset(shape: Shape) -> Offset:
+class _Body:
+    """The vertices of K1 counter-clockwise, as (x, number of the level relative to the centre's), y = (number + 1/2) g,
+    and as points."""
+
+    def __init__(self, balance: Balance) -> None:
+        a, b, top = balance.flat, balance.wide, balance.crown
+        self.places = ((b, -1), (b, 0), (a, top), (-a, top), (-b, 0), (-b, -1), (-a, -top - 1), (a, -top - 1))
+        self.points = tuple(Point(x, (j + _HALF) * balance.level) for x, j in self.places)
+
+
+def offset(shape: Shape, balance: Balance = REPAIRED) -> Offset:
     """Return the inner offset of every face of `shape`, one ring a walk and one an isolated vertex."""
-    build = _Build(shape)
+    build = _Build(shape, balance)
     for walks, isolated in zip(shape.faces, shape.isolated, strict=True):
         for walk in walks:
             build.ring(walk)
@@ -44,9 +51,11 @@ def offset(shape: Shape) -> Offset:
 class _Build:
     """Collects the vertices of Q ring by ring."""
 
-    def __init__(self, shape: Shape) -> None:
+    def __init__(self, shape: Shape, balance: Balance) -> None:
         self.shape = shape
-        self.extreme = _extremes(shape)
+        self.spacing = balance.level
+        self.body = _Body(balance)
+        self.extreme = _extremes(shape, self.body)
         self.x: list[mpq] = []
         self.level: list[int] = []
         self.corner: list[int] = []
@@ -69,10 +78,10 @@ class _Build:
 
     def finished(self) -> Offset:
         # Vertices on one level share their ordinate.
-        height = {j: (j + _HALF) * LEVEL for j in set(self.level)}
+        height = {j: (j + _HALF) * self.spacing for j in set(self.level)}
         points = tuple(Point(x, height[j]) for x, j in zip(self.x, self.level, strict=True))
         return Offset(len(self.shape.points), tuple(self.x), tuple(self.level), tuple(self.corner),
-                      tuple(self.source), tuple(self.rings), points)
+                      tuple(self.source), tuple(self.rings), points, self.spacing)
 
     def _add(self, x: mpq, level: int, corner: int, source: int) -> None:
         self.x.append(x)
@@ -92,16 +101,15 @@ class _Build:
         elif _is_reflex(minus(p, before), minus(after, p)):
             yield from self._placed(p, _clockwise_run(ext0, ext1))
         else:
-            k0, k1 = _BODY_POINTS[ext0[0]], _BODY_POINTS[ext1[0]]
+            k0, k1 = self.body.points[ext0[0]], self.body.points[ext1[0]]
             met = line_crossing(_plus(before, k0), _plus(p, k0), _plus(p, k1), _plus(after, k1))
-            yield met.x, _floor(met.y / LEVEL)
+            yield met.x, _floor(met.y / self.spacing)
 
-    @staticmethod
-    def _placed(p: Point, run: "range | list[int]") -> Iterator[tuple[mpq, int]]:
+    def _placed(self, p: Point, run: "range | list[int]") -> Iterator[tuple[mpq, int]]:
         """Yield vertices of the body about p, moved rigidly so that its centre's y is a whole number of levels."""
-        whole = _floor(p.y / LEVEL + _HALF)
+        whole = _floor(p.y / self.spacing + _HALF)
         for k in run:
-            x, level = _BODY[k]
+            x, level = self.body.places[k]
             yield p.x + x, whole + level
 
 
@@ -111,12 +119,12 @@ def _is_reflex(e0: Point, e1: Point) -> bool:
     return bool(turn < 0 or (turn == 0 and dot(e0, e1) < 0))
 
 
-def _extremes(shape: Shape) -> list[list[int]]:
+def _extremes(shape: Shape, body: _Body) -> list[list[int]]:
     """Return `_extreme` of every half-edge."""
     points, origin = Columns(shape.points), indices(shape.origin)
     start, end = origin[::2], origin[1::2]
     along = points.vectors(start, end)
-    values = [along.cross(Vectors(ball_of(*[k.x] * len(start)), ball_of(*[k.y] * len(start)))) for k in _BODY_POINTS]
+    values = [along.cross(Vectors(ball_of(*[k.x] * len(start)), ball_of(*[k.y] * len(start)))) for k in body.points]
     low, high = np.stack([value.low() for value in values]), np.stack([value.high() for value in values])
     best, every = np.argmax(low, axis=0), np.arange(len(start))
     least = low[best, every]
@@ -126,15 +134,15 @@ def _extremes(shape: Shape) -> list[list[int]]:
     found: list[list[int]] = []
     for edge, (k, is_sure) in enumerate(zip(best.tolist(), sure.tolist(), strict=True)):
         p, q = shape.points[shape.origin[2 * edge]], shape.points[shape.origin[2 * edge + 1]]
-        found.append([k] if is_sure else _extreme(minus(q, p)))
+        found.append([k] if is_sure else _extreme(minus(q, p), body))
         # The body is its own image by the point reflection at its centre.
         found.append(sorted((k + _SIZE // 2) % _SIZE for k in found[-1]))
     return found
 
 
-def _extreme(edge: Point) -> list[int]:
+def _extreme(edge: Point, body: _Body) -> list[int]:
     """Return the one or two vertices of K1 farthest along the inner normal (-dy, dx) of an edge."""
-    values = [cross(edge, k) for k in _BODY_POINTS]
+    values = [cross(edge, k) for k in body.points]
     most = max(values)
     return [k for k, value in enumerate(values) if value == most]
 

@@ -35,7 +35,8 @@ _HUB_PLACES = (mpq(1, 2), mpq(3, 10), mpq(7, 10))
 _HUB_HEIGHTS = (mpq(7, 10), mpq(1, 2), mpq(4, 5))
 
 
-def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: bool = False) -> Piece:
+def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: bool = False,
+                          wanted_squared: mpq = FEATURE_SQUARED) -> Piece:
     """Return the first triangulation that reaches the feature size wanted, else the best one there is.
 
     A `proper` one has no T-vertices: layers take the place of nested triangles.
@@ -43,7 +44,7 @@ def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: b
     if a == b:
         return fan_of(len(t_side) - 1, doubled_area(t_side[0], t_side[-1], a) > 0)
     frame = frame_of(t_side, a, b)
-    wanted = FEATURE_SQUARED * frame.scale_squared
+    wanted = wanted_squared * frame.scale_squared
     best: Candidate | None = None
     for candidate in _candidates(frame, proper):
         if candidate.value > 0 and (best is None or candidate.value > best.value):

@@ -6,6 +6,7 @@ from typing import Literal
 
 from exactmesh.geometry.columns import Columns, indices
 from exactmesh.geometry.point import Point
+from exactmesh.steps.balance import REPAIRED, Balance
 from exactmesh.steps.pieces import OneSided, triangulate_one_sided_ones, triangulate_quads
 from exactmesh.steps.records import Cycle, Patch, Piece
 
@@ -15,14 +16,15 @@ _TURNS = (Piece(((0, 2, 1),)), Piece(((0, 1, 2),)))
 
 
 class PatchBuilder:
-    """Faces and new vertices as they are made; `proper` asks for faces of three vertices.
+    """Faces and new vertices as they are made; `proper` asks for faces of three vertices, `balance` has the feature size.
 
     A vertex has a number at once, by which it is known here. In the patch that comes out, vertices are numbered in the
     order in which they, and the quadrilaterals that get further ones, were added.
     """
 
-    def __init__(self, points: Sequence[Point], proper: bool = False) -> None:
+    def __init__(self, points: Sequence[Point], proper: bool = False, balance: Balance = REPAIRED) -> None:
         self.proper = proper
+        self.balance = balance
         self.points = list(points)
         self.first = len(points)
         self.on_edge: list[tuple[int, int]] = []
@@ -61,12 +63,13 @@ class PatchBuilder:
     def _made(self) -> dict[_Sort, Iterator[tuple[Piece, Sequence[int]]]]:
         """Return the pieces of each sort in the order in which they were added, with the vertices they refer to."""
         points = Columns(self.points)
+        wanted = self.balance.feature_squared
         left = points.turns(*indices(chain.from_iterable(self._triangles)).reshape(-1, 3).T) > 0
         return {
             "face": ((Piece((tuple(range(len(face))),)), face) for face in self._faces),
             "triangle": zip((_TURNS[turn] for turn in left.tolist()), self._triangles, strict=True),
-            "quad": zip(triangulate_quads(points, self._quads), self._quads, strict=True),
-            "one-sided": zip(triangulate_one_sided_ones(points, self._one_sided, self.proper),
+            "quad": zip(triangulate_quads(points, self._quads, wanted), self._quads, strict=True),
+            "one-sided": zip(triangulate_one_sided_ones(points, self._one_sided, self.proper, wanted),
                              ((*t_side, a, b) for t_side, a, b in self._one_sided), strict=True)}
 
     def add(self, point: Point) -> int:

@@ -15,6 +15,7 @@ from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
+from gmpy2 import mpq
 from numpy.typing import NDArray
 
 from exactmesh.geometry.balls import Balls, Bools, Floats, Ints, ball_of
@@ -32,7 +33,6 @@ from exactmesh.steps.records import Piece
 
 # What floats say of a choice: none of the simple candidates is good enough, or they cannot tell.
 _NONE, _OPEN = -1, -2
-_WANTED_LOW, _WANTED_HIGH = float(ball_of(FEATURE_SQUARED).low()[0]), float(ball_of(FEATURE_SQUARED).high()[0])
 _DIAGONAL = tuple(map(Piece, DIAGONALS))
 _CORNERS = np.array([[j for j in range(4) if j != i] for i in range(4)])
 _TRIANGLE = tuple(Piece((tuple(corners),)) for corners in _CORNERS.tolist())
@@ -50,16 +50,17 @@ class OneSided(NamedTuple):
     b: int
 
 
-def triangulate_quads(points: Columns, corners: Sequence[Sequence[int]]) -> Iterator[Piece]:
+def triangulate_quads(points: Columns, corners: Sequence[Sequence[int]], wanted_squared: mpq = FEATURE_SQUARED
+                      ) -> Iterator[Piece]:
     """Yield `quad` of each quadrilateral."""
     if len(corners) <= _FEW:
         note("quad", len(corners), len(corners))
-        yield from (quad([points[v] for v in names]) for names in corners)
+        yield from (quad([points[v] for v in names], wanted_squared) for names in corners)
         return
     at = indices(chain.from_iterable(corners), 4 * len(corners)).reshape(-1, 4)
     choice = np.full(len(at), _OPEN)
     for start, part in chunks(at):
-        choice[start : start + CHUNK] = _better_diagonals(points, part)
+        choice[start : start + CHUNK] = _better_diagonals(points, part, _bounds(wanted_squared)[1])
     corner_of_triangle = _merged_corners(points, at)
     note("quad", len(at), int(((choice == _OPEN) & (corner_of_triangle == _OPEN)).sum()))
     for names, diagonal, merged in zip(corners, choice.tolist(), corner_of_triangle.tolist(), strict=True):
@@ -68,10 +69,16 @@ def triangulate_quads(points: Columns, corners: Sequence[Sequence[int]]) -> Iter
         elif diagonal != _OPEN:
             yield _DIAGONAL[diagonal]
         else:
-            yield quad([points[v] for v in names])
+            yield quad([points[v] for v in names], wanted_squared)
 
 
-def _better_diagonals(points: Columns, corners: Ints) -> Ints:
+def _bounds(value: mpq) -> tuple[float, float]:
+    """Return floats that enclose a value."""
+    ball = ball_of(value)
+    return float(ball.low()[0]), float(ball.high()[0])
+
+
+def _better_diagonals(points: Columns, corners: Ints, wanted: float) -> Ints:
     """Return which diagonal of each quadrilateral is good enough and the better one, or that this is open."""
     least = []
     for faces in DIAGONALS:
@@ -79,8 +86,8 @@ def _better_diagonals(points: Columns, corners: Ints) -> Ints:
         least.append((np.minimum(heights[0].low(), heights[1].low()), np.minimum(heights[0].high(), heights[1].high())))
     (low, high), (other_low, other_high) = least
     choice = np.full(len(corners), _OPEN)
-    choice[(low >= other_high) & (low >= _WANTED_HIGH)] = 0
-    choice[(other_low > high) & (other_low >= _WANTED_HIGH)] = 1
+    choice[(low >= other_high) & (low >= wanted)] = 0
+    choice[(other_low > high) & (other_low >= wanted)] = 1
     return choice
 
 
@@ -104,11 +111,12 @@ def _signed_heights(points: Columns, a: Ints, b: Ints, c: Ints) -> Balls:
     return Balls(np.where(turns_right, -heights.mid, heights.mid), heights.rad)
 
 
-def triangulate_one_sided_ones(points: Columns, jobs: Sequence[OneSided], proper: bool = False) -> list[Piece]:
+def triangulate_one_sided_ones(points: Columns, jobs: Sequence[OneSided], proper: bool = False,
+                               wanted_squared: mpq = FEATURE_SQUARED) -> list[Piece]:
     """Return `triangulate_one_sided` of each quadrilateral."""
     if len(jobs) <= _FEW:
         note("one-sided", len(jobs), len(jobs))
-        return [_exactly(points, job, proper) for job in jobs]
+        return [_exactly(points, job, proper, wanted_squared) for job in jobs]
     found: list[Piece | None] = [None] * len(jobs)
     by_gaps: dict[int, list[int]] = defaultdict(list)
     fans = []
@@ -126,22 +134,22 @@ def triangulate_one_sided_ones(points: Columns, jobs: Sequence[OneSided], proper
         rows = max(1, CHUNK // (gaps + 1))
         for start in range(0, len(numbers), rows):
             some = numbers[start : start + rows]
-            choice, mirrored = _splits(points, [jobs[i] for i in some], gaps)
+            choice, mirrored = _splits(points, [jobs[i] for i in some], gaps, wanted_squared)
             for number, i, is_mirrored in zip(some, choice.tolist(), mirrored.tolist(), strict=True):
                 if i >= 0:
                     found[number] = _split_piece(gaps, i, is_mirrored)
                 elif i == _NONE:
                     low.append(number)
-    _Rounds(points, jobs, sorted(low), proper, found).run()
+    _Rounds(points, jobs, sorted(low), proper, wanted_squared, found).run()
     left_open = [number for number, piece in enumerate(found) if piece is None]
     for number in left_open:
-        found[number] = _exactly(points, jobs[number], proper)
+        found[number] = _exactly(points, jobs[number], proper, wanted_squared)
     note("one-sided", len(jobs), len(left_open))
     return [piece for piece in found if piece is not None]
 
 
-def _exactly(points: Columns, job: OneSided, proper: bool) -> Piece:
-    return triangulate_one_sided([points[v] for v in job.t_side], points[job.a], points[job.b], proper)
+def _exactly(points: Columns, job: OneSided, proper: bool, wanted_squared: mpq) -> Piece:
+    return triangulate_one_sided([points[v] for v in job.t_side], points[job.a], points[job.b], proper, wanted_squared)
 
 
 @cache
@@ -150,8 +158,9 @@ def _split_piece(gaps: int, i: int, mirrored: bool) -> Piece:
     return Piece(tuple(face[::-1] for face in faces) if mirrored else faces)
 
 
-def _splits(points: Columns, jobs: Sequence[OneSided], gaps: int) -> tuple[Ints, Bools]:
+def _splits(points: Columns, jobs: Sequence[OneSided], gaps: int, wanted_squared: mpq) -> tuple[Ints, Bools]:
     """Return the first split of each quadrilateral that is good enough, and whether they are mirrored."""
+    wanted_low, wanted_high = _bounds(wanted_squared)
     count = len(jobs)
     u = indices(chain.from_iterable(job.t_side for job in jobs), count * (gaps + 1)).reshape(count, -1)
     a, b = indices((job.a for job in jobs), count), indices((job.b for job in jobs), count)
@@ -169,9 +178,9 @@ def _splits(points: Columns, jobs: Sequence[OneSided], gaps: int) -> tuple[Ints,
         bound[:, 1:] = np.minimum(bound[:, 1:], np.minimum.accumulate(left, axis=1))
         bound[:, :-1] = np.minimum(bound[:, :-1], np.minimum.accumulate(right[:, ::-1], axis=1)[:, ::-1])
     low, high = at_split
-    too_low = high < _WANTED_LOW
+    too_low = high < wanted_low
     first = np.argmin(too_low, axis=1)
-    good = low[np.arange(count), first] >= _WANTED_HIGH
+    good = low[np.arange(count), first] >= wanted_high
     # Of many splits the exact rule tries a few only.
     choice = np.where(too_low.all(axis=1), _NONE, np.where(good & (gaps <= ALL_SPLITS), first, _OPEN))
     return np.where(side == 0, _OPEN, choice), side < 0
@@ -181,8 +190,8 @@ class _Rounds:
     """Tries candidates beyond splits, in each round the next one of every quadrilateral that has none yet."""
 
     def __init__(self, points: Columns, jobs: Sequence[OneSided], numbers: Sequence[int], proper: bool,
-                 found: list[Piece | None]) -> None:
-        self.found = found
+                 wanted_squared: mpq, found: list[Piece | None]) -> None:
+        self.found, self.wanted_squared = found, wanted_squared
         frames = [frame_of([points[v] for v in jobs[i].t_side], points[jobs[i].a], points[jobs[i].b]) for i in numbers]
         trials = layered_trials if proper else nested_trials
         self.pending = [(i, frame, trials(frame)) for i, frame in zip(numbers, frames, strict=True)]
@@ -195,19 +204,18 @@ class _Rounds:
             self.pending = []
             for start in range(0, len(tried), _ROUND):
                 some = tried[start : start + _ROUND]
-                good = _are_good([(frame, trial) for _, frame, _, trial in some])
+                good = _are_good([(frame, trial) for _, frame, _, trial in some], self.wanted_squared)
                 for (number, frame, rest, trial), sure in zip(some, good.tolist(), strict=True):
-                    if sure > 0 or (sure == 0 and _is_good(frame, trial)):
+                    if sure > 0 or (sure == 0 and self._is_good(frame, trial)):
                         self.found[number] = frame.piece(trial.cycles, trial.steiner)
                     else:
                         self.pending.append((number, frame, rest))
 
+    def _is_good(self, frame: Frame, trial: Trial) -> bool:
+        return bool(trial.candidate(frame).value >= self.wanted_squared * frame.scale_squared)
 
-def _is_good(frame: Frame, trial: Trial) -> bool:
-    return bool(trial.candidate(frame).value >= FEATURE_SQUARED * frame.scale_squared)
 
-
-def _are_good(tried: Sequence[tuple[Frame, Trial]]) -> NDArray[np.int8]:
+def _are_good(tried: Sequence[tuple[Frame, Trial]], wanted_squared: mpq) -> NDArray[np.int8]:
     """Return 1 where a trial keeps the wanted feature size, -1 where it does not, 0 where that is not decided."""
     places: list[Point] = []
     triangles: list[tuple[int, int, int]] = []
@@ -229,7 +237,7 @@ def _are_good(tried: Sequence[tuple[Frame, Trial]]) -> NDArray[np.int8]:
                     for t in some:
                         t_vertices += [(number, names[t], q, r), (number, names[t], r, p)]
     points = Columns(places)
-    wanted = ball_of(*(FEATURE_SQUARED * frame.scale_squared for frame, _ in tried))
+    wanted = ball_of(*(wanted_squared * frame.scale_squared for frame, _ in tried))
     a, b, c = indices(chain.from_iterable(triangles), 3 * len(triangles)).reshape(-1, 3).T
     heights = _signed_heights(points, a, b, c)
     low, high = np.minimum.reduceat(heights.low(), begin), np.minimum.reduceat(heights.high(), begin)

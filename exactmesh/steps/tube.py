@@ -14,15 +14,16 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
 from exactmesh.geometry.point import Point, dot, minus
+from exactmesh.steps.balance import REPAIRED, Balance
 from exactmesh.steps.constants import MERGE
 from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Offset, Patch, Shape
 
 
 def triangulate_tube(shape: Shape, offset: Offset, on_edge: Sequence[tuple[int, int]], points: Sequence[Point],
-                     proper: bool = False) -> Patch:
+                     proper: bool = False, balance: Balance = REPAIRED) -> Patch:
     """Return the triangulation of the Tube; `on_edge` pairs edges of Q with the vertices that lie on them."""
-    mesh = PatchBuilder(points, proper)
+    mesh = PatchBuilder(points, proper, balance)
     for k, chain in enumerate(_chains(offset, on_edge, points)):
         source = offset.source[k]
         if source < 0:

@@ -11,7 +11,7 @@ from itertools import takewhile
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
-from exactmesh.steps.constants import LEVEL, WEDGE_HEIGHTS
+from exactmesh.steps.constants import WEDGE_HEIGHTS
 from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Trapezoid
 
@@ -33,7 +33,7 @@ class Leftover:
     def __init__(self, mesh: PatchBuilder, of_q: range, z: Trapezoid) -> None:
         self.mesh = mesh
         self.of_q = of_q
-        self.reach = WEDGE_HEIGHTS * (z.high - z.low) * LEVEL
+        self.reach = WEDGE_HEIGHTS * (z.high - z.low) * mesh.balance.level
         self.edge = {LEFT: z.left, RIGHT: z.right}
         self.corner = {(LEFT, TOP): z.tl, (LEFT, BOTTOM): z.bl, (RIGHT, TOP): z.tr, (RIGHT, BOTTOM): z.br}
         self.original = dict(self.corner)
