@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from gmpy2 import mpq
 
-from exactmesh.geometry.balls import Balls, ball_of, constant, exact_balls, greatest, least
+from exactmesh.geometry.balls import Balls, ball_of, constant, exact_balls, greatest, joined, least, where
+from exactmesh.geometry.decisions import Count, decisions, forget, note
 
 
 def numbers(seed, count=200, spread=30):
@@ -96,3 +97,29 @@ def test_plain_numbers_are_exact():
     some = exact_balls([1.5, -2.0])
     assert some.rad.tolist() == [0, 0] and constant(0.0, some).mid.tolist() == [0, 0]
     assert isinstance(some[np.array([True, False])], Balls) and len(some[:1]) == 1
+
+
+def test_balls_are_put_one_after_the_other_and_chosen():
+    p, q = ball_of(mpq(1, 3), mpq(2)), ball_of(mpq(5))
+    both = joined(p, q)
+    assert both.mid.tolist() == [*p.mid.tolist(), *q.mid.tolist()]
+    assert both.rad.tolist() == [*p.rad.tolist(), *q.rad.tolist()]
+    wide = Balls(np.array([7.0, 8.0]), np.array([1.0, 2.0]))
+    chosen = where(np.array([True, False]), p, wide)
+    assert chosen.mid.tolist() == [p.mid[0], 8.0] and chosen.rad.tolist() == [p.rad[0], 2.0]
+
+
+def test_whole_numbers_become_floats():
+    some = exact_balls([1, 2])
+    assert some.mid.dtype == some.rad.dtype == np.float64
+    assert (some / exact_balls([3, 7])).mid.dtype == np.float64
+
+
+def test_what_is_noted_adds_up():
+    forget()
+    note("b", 7, 2)
+    note("a", 1, 1)
+    note("b", 5, 4)
+    assert decisions() == {"a": Count(0, 1), "b": Count(6, 6)} and list(decisions()) == ["a", "b"]
+    forget()
+    assert decisions() == {}

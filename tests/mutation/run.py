@@ -70,7 +70,10 @@ LEFT_OUT = (
         "test_mixing_too_many_roots_is_refused_and_less_is_not")),
     "tests/numbers/test_separation.py::test_a_chain_of_thirty_thousand_additions",
     "tests/numbers/test_separation.py::test_the_bound_does_not_use_the_exact_types",
-    "tests/proofs/test_certificates.py::test_the_checker_is_small_and_needs_no_solver",
+    *(f"tests/proofs/test_certificates.py::{name}" for name in (
+        "test_the_checker_is_small_and_needs_no_solver", "test_the_recorded_answers_are_to_the_problems_as_they_are",
+        "test_the_statements_of_the_scripts_are_those_of_the_files",
+        "test_the_smt_lib_files_are_those_of_the_problems")),
     *(f"tests/steps/test_{name}_check.py::test_every_clause_fires" for name in (
         "offset", "patch", "shape", "trapezoidation")),
     *(f"tests/steps/test_{name}_check.py::test_every_clause_is_seen" for name in (

@@ -154,14 +154,18 @@ def test_a_hole_point_outside_is_refused_with_its_number_and_place() -> None:
         assert isinstance(caught.value, GeometryError)
 
 
+NOTHING = "the edges enclose nothing: there is no bounded face to mesh"
+NO_REST = "every bounded face holds a hole point: nothing is left to mesh"
+
+
 @pytest.mark.parametrize(("graph", "words"), [
-    (pslg([], []), "enclose nothing"), (pslg([(0, 0)], []), "enclose nothing"),
-    (pslg(SQUARE, cycle(4)[:3]), "enclose nothing"),
-    (pslg(SQUARE, cycle(4), [(1, 1)]), "every bounded face holds a hole point"),
-    (pslg([*SQUARE, *box(3, 6)], [*cycle(4), *cycle(4, 4)], [(1, 1), (4, 4)]), "every bounded face holds")])
+    (pslg([], []), NOTHING), (pslg([(0, 0)], []), NOTHING),
+    (pslg(SQUARE, cycle(4)[:3]), NOTHING),
+    (pslg(SQUARE, cycle(4), [(1, 1)]), NO_REST),
+    (pslg([*SQUARE, *box(3, 6)], [*cycle(4), *cycle(4, 4)], [(1, 1), (4, 4)]), NO_REST)])
 def test_an_input_without_a_domain_is_refused(graph: Pslg, words: str) -> None:
     subdivide(graph)
-    with pytest.raises(NoDomain, match=words):
+    with pytest.raises(NoDomain, match=f"^{words}$"):
         domain_of(graph)
 
 

@@ -16,7 +16,7 @@ from exactmesh.paper import PaperOptions
 from exactmesh.steps import paper_tube_check as after
 from exactmesh.steps import paper_tube_unsnapped_check as before
 from exactmesh.steps.reading import READINGS
-from exactmesh.steps.records import PaperTube, Patch, RealPoint, Rectangle, Shape
+from exactmesh.steps.records import Offset, PaperTube, Patch, RealPoint, Rectangle, Shape
 
 MADE = Run(families.ALL_SMALL["spike room"], "paper").paper
 STAR = Run(families.ALL_SMALL["star 12"], "paper").paper
@@ -61,11 +61,15 @@ def low_vertex(bound):
     return after.check_low_vertex(MADE.shape, MADE.p4, MADE.tube, MADE.points, MADE.mfs_squared, bound)
 
 
-def by_hand(a_below, b_below):
-    """Return the verdict on the projection in a Tube with B from (0, 0) to (10, 0) and T' from (-1, 4) to (11, 4)."""
-    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (10, 0), (11, 4), (-1, 4), a_below, b_below)]
-    shape = Shape(mpq(1), tuple(points[:2]), (0, 1), (), (), ())
-    return after.check_projection(shape, PaperTube(Patch(2, (), ()), (), (Rectangle(0, (2, 3), (0, 1), 4, 5),)), points)
+def at(*places):
+    return [Point(mpq(x), mpq(y)) for x, y in places]
+
+
+def by_hand(a_below, b_below, top=(-1, 11)):
+    """Return the verdict on the projection in a Tube with B from (0, 0) to (10, 0), edge 1, and T' of height 4."""
+    points = at((0, 0), (10, 0), (top[1], 4), (top[0], 4), a_below, b_below)
+    shape = Shape(mpq(1), tuple(points[:2]), (1, 0, 0, 1), (), (), ())
+    return after.check_projection(shape, PaperTube(Patch(2, (), ()), (), (Rectangle(2, (2, 3), (0, 1), 4, 5),)), points)
 
 
 FIRST = MADE.tube.rectangles[0]
@@ -212,3 +216,75 @@ def test_verdicts_say_all_there_is_to_say():
                      for name, reading in (("octagon", OCTAGON), ("tube", TUBE))
                      for check in (before.check_fan_number, before.check_motion_number, before.check_low_number)]
         lines += verdicts
+
+
+@pytest.mark.parametrize("a_below, b_below, top, clause", [
+    (("-1/2", 2), (9, 2), (-1, 11), "R lies in Q'"), ((1, 2), ("21/2", 2), (-1, 11), "R lies in Q'"),
+    ((1, 2), (9, 2), (0, 10), None), ((1, 2), (9, 2), ("-1/100", 10), "T' projects onto B"),
+    ((1, 2), (9, 2), (0, "1001/100"), "T' projects onto B"), ((1, 2), (9, 2), ("1/100", "999/100"), None)])
+def test_a_top_as_wide_as_the_base_projects_onto_it(a_below, b_below, top, clause):
+    verdict = by_hand(a_below, b_below, top)
+    assert verdict.holds == (clause is None) and verdict.instances == 1
+    if clause:
+        assert (verdict.witness.clause, verdict.witness.place) == (clause, {"rectangle": 0, "edge": 1})
+
+
+@pytest.mark.parametrize("right, edge", [((10, 0), 1), ((5, 9), 0), ((-3, 1), 0)])
+def test_a_quasi_trapz_is_judged_by_all_its_corners(right, edge):
+    # The triangle of the first corner and the top is fine in all cases; the second region turns right.
+    points = at((0, 0), right, (-1, 4), (11, 4))
+    p4 = Offset(2, (mpq(-1), mpq(11)), (4, 4), (0, 0), (0, -1), ((0, 2),), tuple(points[2:]))
+    verdict = after.check_structure(Shape(mpq(1), tuple(points[:2]), (0, 1), (), (), ()), p4, points)
+    assert not verdict.holds and verdict.instances == edge + 1
+    assert verdict.witness.place == {"edge_of_q": edge, "at": str(points[2 + edge])}
+
+
+@pytest.mark.parametrize("apex, worst, vertex", [
+    ((1, 3), mpq(9, 25), 2), ((4, 3), mpq(9, 25), 1), ((-1, 3), mpq(1, 5), 2), ((-1, -1), mpq(1, 37), 2)])
+def test_angles_of_a_fan(apex, worst, vertex):
+    points = at(apex, (0, 0), (5, 0))
+    p4 = Offset(1, (), (), (), (), (), ())
+    tube = PaperTube(Patch(3, (), ((0, 1, 2),)), ("fan",), ())
+    verdict = after.check_snapped_angles(Shape(mpq(1), tuple(points[:1]), (), (), (), ()), p4, tube, points)
+    assert (verdict.worst, verdict.instances) == (worst, 2)
+    assert verdict.witness.place == {"vertex": vertex, "at": str(points[vertex])}
+
+
+def test_an_obtuse_angle_counts_as_a_right_one():
+    o, east, north, west = at((0, 0), (2, 0), (0, 1), (-1, "1/9"))
+    assert after._sine_squared(o, east, north) == after._sine_squared(o, east, west) == 1
+    assert after._sine_squared(east, o, north) == mpq(1, 5)
+
+
+@pytest.mark.parametrize("high, x", [
+    (("1/4", "3/4"), "1/2"), ((-1, 3), "1/2"), ((2, 5), "3/2"), ((-5, -2), -1), ((3, "7/2"), 2), ((-2, "-3/2"), "-3/4"),
+    ((2, 3), "3/2"), (("1/2", "3/2"), "3/4"), ((0, 1), "1/2"), (("1/2", 4), "3/4")])
+def test_the_centre_of_lemma_1(high, x):
+    # Of the rectangle over the shorter side, or of the parallelogram from it to the nearest place on the other side.
+    low = (mpq(0), mpq(1))
+    assert after._lemma_1_abscissa(low, (mpq(high[0]), mpq(high[1]))) == mpq(x)
+    assert after._lemma_1_abscissa((mpq(high[0]), mpq(high[1])), low) == mpq(x)
+
+
+@pytest.mark.parametrize("corners, left", [
+    (((0, 0), (4, 0), (4, 4), (0, 4)), True), (((0, 4), (4, 4), (4, 0), (0, 0)), False),
+    (((0, 0), (4, 0), (1, 1), (0, 4)), True), (((4, 0), (1, 1), (0, 4), (0, 0)), True),
+    (((1, 1), (0, 4), (0, 0), (4, 0)), True), (((0, 4), (0, 0), (4, 0), (1, 1)), True),
+    (((0, 0), (4, 0), (0, 4), (4, 4)), False), (((0, 0), (4, 4), (4, 0), (0, 4)), False),
+    (((0, 0), (2, 0), (4, 0), (0, 4)), True), (((2, 0), (4, 0), (0, 4), (0, 0)), True),
+    (((0, 0), (1, 0), (2, 0), (3, 0)), False), (((0, 0), (4, 0), (0, 4)), True), (((0, 0), (0, 4), (4, 0)), False),
+    (((0, 0), (1, 0), (4, 0)), False), (((0, 0), (4, 0), (2, 0), (0, 4)), False),
+    (((0, 0), (4, 0), (0, 4), (0, 4)), False), (((0, 0), (2, 0), (2, 0), (0, 4)), False)])
+def test_simple_and_counter_clockwise_regions(corners, left):
+    assert after._turns_left(at(*corners)) is left
+
+
+def test_all_faces_elsewhere_are_counted():
+    plain = Patch(3, (), ((0, 1, 2), (2, 1, 0)))
+    verdict = after.check_proper_elsewhere(plain, MADE.tube, after.PHASES)
+    assert (verdict.instances, verdict.holds) == (2, True)
+
+
+def test_every_face_has_a_phase():
+    with pytest.raises(ValueError):
+        after.check_proper_elsewhere(Patch(3, (), ()), replace(MADE.tube, phase=MADE.tube.phase[:-1]), ("low",))
