@@ -61,8 +61,11 @@ def _find(given: list[Constraint], hint: Hint, cases: Sequence[Constraint]) -> d
         fails = _find([*given, first.negated()], hint, rest) if holds else None
         return {"kind": "cases", "on": str(first), "holds": holds, "fails": fails} if fails else None
     for i, c in enumerate(given):
-        if not c.polynomial.terms and c.relation == ">":
+        constant = c.polynomial.terms.get((), mpq(0))
+        if c.polynomial == polynomial(constant) and c.relation == ">" and constant == 0:
             return {"kind": "combination", "terms": [["1", [i], None]], "equalities": []}
+        if c.polynomial == polynomial(constant) and c.relation != "==" and constant < 0:
+            return {"kind": "combination", "terms": [["1", [i], None], [str(-constant), [], None]], "equalities": []}
     top = max(_degree(c.polynomial) for c in given)
     for degree in hint.degrees or (top, top + 1, top + 2):
         node = combination(given, degree, hint.squares, hint.columns)

@@ -17,6 +17,7 @@ from exactmesh.steps.constants import (
     PROPER_VERTICES_PER_CORNER,
     SEPARATION,
     THICKNESS_MAX,
+    TUBE_FEATURE,
     UNIT_SLACK,
     VERTICES_PER_CORNER,
 )
@@ -101,7 +102,11 @@ def _tube_tiles(run: Run) -> Verdict:
 
 
 def _tube_feature(run: Run) -> Verdict:
-    return patch_check.check_feature(run.repaired.tube, run.columns, run.tube_columns)
+    return run.tube_feature
+
+
+def _tube_feature_45(run: Run) -> Verdict:
+    return patch_check.with_bound(run.tube_feature, TUBE_FEATURE)
 
 
 def _vertex_count(run: Run) -> Verdict:
@@ -157,6 +162,8 @@ REPAIRED_CLAIMS: tuple[Claim, ...] = (
           _GIVEN, "", "truth", _RUNS, _tube_tiles),
     Claim("repaired.tube-feature", _REPAIRED, "every face of the Tube keeps its feature size",
           _GIVEN, f">= {FEATURE} mfs", "square", _RUNS, _tube_feature, kinds=_NONPROPER),
+    Claim("repaired.tube-feature-45", _REPAIRED, "every face of the Tube keeps what a degradation below 45 needs",
+          _GIVEN, f">= {TUBE_FEATURE} mfs", "square", _RUNS, _tube_feature_45, kinds=_NONPROPER),
     Claim("repaired.steiner-count", _REPAIRED, "the number of Steiner vertices is linear, whatever the spread",
           (), f"<= {VERTICES_PER_CORNER} a corner ({PROPER_VERTICES_PER_CORNER} in a proper mesh)", "number", _RUNS,
           _vertex_count),

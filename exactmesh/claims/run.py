@@ -20,7 +20,7 @@ from exactmesh.repaired import Construction, construct
 from exactmesh.steps.edge_chains import Chains, Misplaced
 from exactmesh.steps.offset_check import check_thickness
 from exactmesh.steps.offset_curve import offset_curve
-from exactmesh.steps.patch_check import PatchColumns, chains_of
+from exactmesh.steps.patch_check import PatchColumns, chains_of, check_feature
 from exactmesh.steps.records import OffsetCurve
 from exactmesh.steps.trapezoidation_check import check_gaps
 
@@ -131,6 +131,11 @@ class Run:
     def chord_gaps(self) -> tuple[Verdict, Verdict, Verdict]:
         """The verdicts on the distances of T-vertices from neighbours, by chords and by edges of Q, and from legs."""
         return check_gaps(self.repaired.offset, self.repaired.trapezoidation, self.columns)
+
+    @cached_property
+    def tube_feature(self) -> Verdict:
+        """The verdict on the least feature size of the faces of the repaired construction's Tube."""
+        return check_feature(self.repaired.tube, self.columns, self.tube_columns)
 
     @cached_property
     def paper(self) -> PaperConstruction:

@@ -471,4 +471,5 @@ _ROADS: dict[str, Callable[[Made], Value | None]] = {
     "repaired.offset-separation": lambda made: mfs_squared(made.q, list(enumerate(made.q_next))),
     "repaired.interior-feature": lambda made: _face_feature(made.interior),
     "repaired.tube-feature": lambda made: _face_feature(made.tube),
+    "repaired.tube-feature-45": lambda made: _face_feature(made.tube),
 }

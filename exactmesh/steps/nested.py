@@ -15,11 +15,14 @@ from typing import NamedTuple
 
 from gmpy2 import mpq
 
-from exactmesh.geometry.point import Point
+from exactmesh.geometry.point import Point, cross, dot, minus
 from exactmesh.steps.frame import MODES, REACHES, Candidate, Face, Frame, Mode, Trial
 
 _HEIGHTS = (mpq(1, 5), mpq(23, 100))
 _HEIGHTS_FEW_GAPS = (mpq(1, 5), mpq(1, 4), mpq(1, 3), mpq(2, 5))
+# Below a clean side that slants: the height of leaders, and the greatest inset, in heights of the T-side.
+BELOW_HEIGHT = mpq(4, 5)
+BELOW_INSET = mpq(1, 2)
 
 
 def nested_candidates(frame: Frame) -> Iterator[Candidate]:
@@ -43,6 +46,35 @@ def nested_trials(frame: Frame) -> Iterator[Trial]:
                     yield trial
 
 
+def nested_below(frame: Frame) -> Candidate | None:
+    """Return the nested triangulation that is laid out along the clean side, None where it has no place.
+
+    Heights are those over the clean side, which is of length 1 here, from (0, 0) to (1, 0), the T-side above it. So the
+    long triangles are those of a strip, however much the T-side slants, and wherever the anchors are.
+    """
+    a, along = frame.a, minus(frame.b, frame.a)
+    length_squared = dot(along, along)
+    places = [(dot(to, along) / length_squared, cross(to, along) / length_squared)
+              for to in (minus(Point(u, mpq(0)), a) for u in frame.u)] if length_squared else []
+    if not places or places[0][0] >= places[-1][0]:
+        return None
+    xs = [x for x, _ in places]
+    h0 = min(places[0][1], places[-1][1])
+    start = max((j for j, x in enumerate(xs) if x <= h0), default=0)
+    end = min((j for j, x in enumerate(xs) if x >= 1 - h0), default=len(xs) - 1)
+    if h0 <= 0 or start >= end:
+        return None
+    u = tuple(xs[start : end + 1])
+    insets = [min((v - w) / 2, BELOW_INSET * h0) for w, v in pairwise(u)]
+    z, z_x = _middle(u, insets, mpq(1, 2))
+    found = _over(frame, _Layout(start, end, z, _abscissae(u, insets, z, z_x)), Point(mpq(0), mpq(0)),
+                  Point(mpq(1), mpq(0)), BELOW_HEIGHT * h0)
+    if found is None:
+        return None
+    apexes = tuple(Point(a.x + x * along.x + y * along.y, a.y + x * along.y - y * along.x) for x, y in found.steiner)
+    return Trial(found.faces, apexes).candidate(frame)
+
+
 class _Layout(NamedTuple):
     """Apex j - `start` stands over gap j; `z` is the place of the middle apex among the apexes."""
 
@@ -54,10 +86,12 @@ class _Layout(NamedTuple):
 
 def _nested(frame: Frame, h0: mpq, mode: Mode, height: mpq, reach: int) -> Trial | None:
     layout = _layout(frame, h0, mode, reach)
-    if layout is None:
-        return None
+    return None if layout is None else _over(frame, layout, frame.a, frame.b, height)
+
+
+def _over(frame: Frame, layout: _Layout, a: Point, b: Point, height: mpq) -> Trial | None:
+    """Return the triangulation with leaders at a height, in the coordinates of the layout, a and b."""
     z, xs = layout.z, layout.x
-    a, b = frame.a, frame.b
     to_left = _groups(xs[z::-1], a, height)
     # The right side is the left one seen in a mirror.
     to_right = _groups([-x for x in xs[z:]], Point(-b.x, b.y), height)
@@ -85,8 +119,12 @@ def _layout(frame: Frame, h0: mpq, mode: Mode, reach: int) -> _Layout | None:
         z, z_x = 0, u[0] + insets[0]
     else:
         z, z_x = _middle(u, insets, (frame.a.x + frame.b.x) / 2)
-    return _Layout(start, end, z, [*(u[j + 1] - insets[j] for j in range(z)), z_x,
-                                   *(u[j] + insets[j] for j in range(z + 1, end - start))])
+    return _Layout(start, end, z, _abscissae(u, insets, z, z_x))
+
+
+def _abscissae(u: tuple[mpq, ...], insets: list[mpq], z: int, z_x: mpq) -> list[mpq]:
+    """Return the abscissae of all apexes: those beside the middle one stand as near to it as they can."""
+    return [*(u[j + 1] - insets[j] for j in range(z)), z_x, *(u[j] + insets[j] for j in range(z + 1, len(insets)))]
 
 
 def _middle(u: tuple[mpq, ...], insets: list[mpq], middle: mpq) -> tuple[int, mpq]:

@@ -8,6 +8,7 @@ Gaps      neighbours on an edge of Q are at least 0.134 apart.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from gmpy2 import mpq
@@ -98,6 +99,14 @@ def check_feature(patch: Patch, points: Sequence[Point], columns: PatchColumns |
         least.offer(numbers[good], values[good])
     least.see(exactly, place, faces.count)
     return tally.verdict()
+
+
+def with_bound(verdict: Verdict, feature: mpq) -> Verdict:
+    """Return the verdict of `check_feature` on the same faces with another bound."""
+    if verdict.worst is None or verdict.witness is None:
+        return verdict
+    return replace(verdict, holds=bool(verdict.worst >= feature**2),
+                   witness=replace(verdict.witness, clause=f"feature size >= {feature}"))
 
 
 def check_caps(offset: Offset, chords: Trapezoidation, interior: Patch) -> Verdict:

@@ -1,0 +1,16 @@
+; slanted.fan-right: v right of A: the line of e' is 0.1759 above A
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const h Real)
+(declare-const s Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 h) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) h) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) h) (* 1.0 y)) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* 1.0 h) (* (- 1.0) x) (- (/ 599.0 5000.0))) 0.0))
+(assert (>= (+ (* 1.0 s) (/ 1.0 2.0)) 0.0))
+(assert (>= (+ (* (- 1.0) s) (/ 1.0 2.0)) 0.0))
+(assert (> (+ (* 1.0 s x) (* (- 1.0) y) (/ 1759.0 10000.0)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; slanted.fan-side: (A, v, w): the height over A-v or A-w
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const q Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 q) (- (/ 599.0 5000.0))) 0.0))
+(assert (>= (+ (* 1.0 c) (- (/ 1759.0 10000.0))) 0.0))
+(assert (>= (+ (* 1.0 x) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) x) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 4701.0 10000.0)) 0.0))
+(assert (> (+ (* (- 1.0) c c q q) (* (/ 49729.0 100000000.0) x x) (* (/ 49729.0 100000000.0) y y)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; slanted.low-long.area: (A, E, apex), the apex on A-F beyond f/2: counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const T Real)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const x Real)
+(assert (> (* 1.0 T) 0.0))
+(assert (>= (+ (* (- 1.0) T) (/ 223.0 2320.0)) 0.0))
+(assert (>= (+ (* 2.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* (- 2.0) e) (* 1.0 f)) 0.0))
+(assert (>= (+ (* 1.0 x) (- (/ 1.0 2.0))) 0.0))
+(assert (>= (+ (* (- 1.0) x) 1.0) 0.0))
+(assert (>= (+ (* (/ 4.0 5.0) e x) (* (- (/ 4.0 5.0)) f x)) 0.0))
+(check-sat)

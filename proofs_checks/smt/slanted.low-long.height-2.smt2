@@ -1,0 +1,15 @@
+; slanted.low-long.height-2: (A, E, apex), the apex on A-F beyond f/2: the height from corner 2
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const T Real)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const x Real)
+(assert (> (* 1.0 T) 0.0))
+(assert (>= (+ (* (- 1.0) T) (/ 223.0 2320.0)) 0.0))
+(assert (>= (+ (* 2.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* (- 2.0) e) (* 1.0 f)) 0.0))
+(assert (>= (+ (* 1.0 x) (- (/ 1.0 2.0))) 0.0))
+(assert (>= (+ (* (- 1.0) x) 1.0) 0.0))
+(assert (> (+ (* 1.0 T T e e) (* (/ 32.0 25.0) e f x x) (* (- (/ 16.0 25.0)) e e x x) (* (- (/ 16.0 25.0)) f f x x) (* (/ 16.0 25.0) T T)) 0.0))
+(check-sat)

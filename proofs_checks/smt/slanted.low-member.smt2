@@ -1,0 +1,15 @@
+; slanted.low-member: a member of the group of E against A-F
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const T Real)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const y Real)
+(assert (> (* 1.0 T) 0.0))
+(assert (>= (+ (* (- 1.0) T) (/ 223.0 2320.0)) 0.0))
+(assert (>= (+ (* 2.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* (- 2.0) e) (* 1.0 f)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 1.0 2.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) 1.0) 0.0))
+(assert (> (+ (* 1.0 T T f f) (* (/ 32.0 25.0) e f y y) (* (- (/ 16.0 25.0)) e e y y) (* (- (/ 16.0 25.0)) f f y y) (* (/ 16.0 25.0) T T)) 0.0))
+(check-sat)

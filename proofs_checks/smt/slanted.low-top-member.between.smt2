@@ -1,0 +1,18 @@
+; slanted.low-top-member.between: a member, a gap before z, against z-B; the foot lies on the segment
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const T Real)
+(declare-const e Real)
+(declare-const y Real)
+(assert (> (* 1.0 T) 0.0))
+(assert (>= (+ (* (- 1.0) T) (/ 223.0 2320.0)) 0.0))
+(assert (>= (+ (* 2.0 e) (- 1.0)) 0.0))
+(assert (>= (+ (* 2.0 D) (* (- 2.0) e) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 D) (- 2.0)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 1.0 2.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) 1.0) 0.0))
+(assert (>= (+ (* (- 1.0) e y) (* (- (/ 53.0 10.0)) T) (* 1.0 e)) 0.0))
+(assert (>= (+ (* 1.0 D e y) (* (- 1.0) e e y) (* (- 1.0) D e) (* 1.0 e e) (* (- (/ 16.0 25.0)) y) (/ 16.0 25.0)) 0.0))
+(assert (>= (+ (* (- 1.0) D e y) (* 1.0 e e y) (* (- 1.0) D e) (* 1.0 D D) (* (/ 16.0 25.0) y)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; slanted.one-above.height-3: (z, C, D), z the centre: the height from corner 3
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 559.0 10000.0))) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 1.0 25.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 1.0 25.0)) 0.0))
+(assert (> (+ (* (- (/ 1.0 4.0)) d d r t) (* (- (/ 1.0 16.0)) d d r r) (* (- (/ 1.0 4.0)) d d t t) (* (/ 49729.0 400000000.0) d d) (* (/ 149187.0 400000000.0) r t) (* (/ 447561.0 1600000000.0) r r) (* (/ 49729.0 400000000.0) t t)) 0.0))
+(check-sat)

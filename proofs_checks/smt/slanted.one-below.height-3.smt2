@@ -1,0 +1,13 @@
+; slanted.one-below.height-3: (A, B, z): the height from corner 3
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const L Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 250.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 L) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 x) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 L) (* (- 1.0) x) (/ 4701.0 10000.0)) 0.0))
+(assert (> (+ (* (- 1.0) L L y y) (* (/ 49729.0 100000000.0) L L)) 0.0))
+(check-sat)

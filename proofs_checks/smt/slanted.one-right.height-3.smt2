@@ -1,0 +1,18 @@
+; slanted.one-right.height-3: (A, z, D), D right of A: the height from corner 3
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const d Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 559.0 10000.0))) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 1.0 25.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 1.0 25.0)) 0.0))
+(assert (>= (* 1.0 a) 0.0))
+(assert (>= (+ (* 1.0 a) (* 1.0 d) (- (/ 61.0 250.0))) 0.0))
+(assert (> (+ (* (/ 1.0 4.0) a d r t) (* (- (/ 1.0 2.0)) a d t t) (* (/ 1.0 4.0) a a r t) (* (- (/ 1.0 16.0)) a a r r) (* (- (/ 1.0 4.0)) a a t t) (* (- (/ 1.0 4.0)) d d t t) (* (/ 49729.0 100000000.0) a d) (* (/ 49729.0 100000000.0) a a) (* (/ 49729.0 400000000.0) d d) (* (/ 49729.0 400000000.0) r t) (* (/ 49729.0 1600000000.0) r r) (* (/ 49729.0 400000000.0) t t)) 0.0))
+(check-sat)

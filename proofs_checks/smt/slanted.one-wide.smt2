@@ -1,0 +1,16 @@
+; slanted.one-wide: e' rising by less
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (* 1.0 d) 0.0))
+(assert (>= (+ (* 1.0 d d) (* 1.0 r r) (- (/ 1849.0 390625.0))) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 1.0 25.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 1.0 25.0)) 0.0))
+(assert (> (+ (* (- 1.0) d) (/ 559.0 10000.0)) 0.0))
+(check-sat)

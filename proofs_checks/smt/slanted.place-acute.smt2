@@ -1,0 +1,17 @@
+; slanted.place-acute: c, s of the angle at B, below 90 degrees: C is at most 0.4701 from the line of the next edge, A at 1 or more
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const L Real)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const s Real)
+(declare-const u Real)
+(assert (= (+ (* 1.0 c c) (* 1.0 s s) (- 1.0)) 0.0))
+(assert (> (* 1.0 s) 0.0))
+(assert (>= (* 1.0 c) 0.0))
+(assert (>= (+ (* 1.0 L s) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 u) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) u) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) L s) (* 1.0 b s) (* 1.0 c u) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (* (- 1.0) b) 0.0))
+(check-sat)

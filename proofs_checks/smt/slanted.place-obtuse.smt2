@@ -1,0 +1,17 @@
+; slanted.place-obtuse: c, s of the turn at B, up to 90 degrees: before snapping C is x before B along e; p, q the parts of the extreme k of the next edge across and along e, n that of the extreme k of e
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const n Real)
+(declare-const p Real)
+(declare-const q Real)
+(declare-const s Real)
+(declare-const x Real)
+(assert (= (+ (* 1.0 c c) (* 1.0 s s) (- 1.0)) 0.0))
+(assert (> (* 1.0 s) 0.0))
+(assert (>= (* 1.0 c) 0.0))
+(assert (>= (+ (* 1.0 n) (* (- 1.0) p)) 0.0))
+(assert (>= (+ (* (- 1.0) q) (/ 4247.0 10000.0)) 0.0))
+(assert (= (+ (* 1.0 c n) (* (- 1.0) c p) (* (- 1.0) q s) (* 1.0 s x)) 0.0))
+(assert (> (+ (* 1.0 x) (- (/ 4247.0 10000.0))) 0.0))
+(check-sat)

@@ -1,0 +1,13 @@
+; slanted.split.area: (A, B, v): counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const L Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 L) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 x) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 L) (* (- 1.0) x) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (* (- 1.0) L y) 0.0))
+(check-sat)

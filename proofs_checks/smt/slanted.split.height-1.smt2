@@ -1,0 +1,13 @@
+; slanted.split.height-1: (A, B, v): the height from corner 1
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const L Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 L) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 x) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 L) (* (- 1.0) x) (/ 4701.0 10000.0)) 0.0))
+(assert (> (+ (* (- 1.0) L L y y) (* (- (/ 1682.0 390625.0)) L x) (* (/ 841.0 390625.0) L L) (* (/ 841.0 390625.0) x x) (* (/ 841.0 390625.0) y y)) 0.0))
+(check-sat)

@@ -1,0 +1,14 @@
+; slanted.tilt-step-rises: over a level or more, 0.1506 long before; e' rises
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const z Real)
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (>= (+ (* 1.0 y) (* (- 1.0) z) (/ 29.0 125.0)) 0.0))
+(assert (>= (+ (* (- 1.0) y) (* 1.0 z) (/ 29.0 125.0)) 0.0))
+(assert (>= (+ (* 1.0 z) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* 1.0 x x) (* 1.0 y y) (- (/ 567009.0 25000000.0))) 0.0))
+(assert (> (+ (* (- 1.0) x y) (* 1.0 x z) (* (- (/ 169.0 50.0)) x x) (* (- (/ 169.0 50.0)) y z)) 0.0))
+(check-sat)
