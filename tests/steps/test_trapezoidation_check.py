@@ -226,10 +226,13 @@ ODD = [
     with_one(1, high=lambda z: z.low), with_one(1, tl=lambda z: z.bl, tr=lambda z: z.bl),
     with_one(0, bl=lambda z: z.br, tl=lambda z: z.tr), with_one(0, bottom=lambda z: (z.bl,)),
     with_one(0, bl=lambda z: z.br, br=lambda z: z.bl), with_one(0, right=lambda z: z.left),
+    with_one(0, high=lambda z: z.low, tl=lambda z: z.bl, tr=lambda z: z.br),
 ]
+KITE = rings_on_levels([(3, 0), (7, 2), (3, 5), (0, 2)])
 
 
-@pytest.mark.parametrize("q, chords", [(ROOM, CHORDS), (TENT, TENTED), *((ROOM, harm(CHORDS)) for harm, _ in HARMS[3:]),
+@pytest.mark.parametrize("q, chords", [(ROOM, CHORDS), (TENT, TENTED), (KITE, trapezoidate(KITE)), merged(),
+                                       *((ROOM, harm(CHORDS)) for harm, _ in HARMS[3:]),
                                        *((TENT, harm(TENTED)) for harm in ODD)])
 def test_arrays_say_what_the_definition_says(q, chords):
     points, following = points_of(q, chords), q.successors()
