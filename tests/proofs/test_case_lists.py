@@ -9,7 +9,9 @@ from typing import Any
 import pytest
 
 import exactmesh
-from exactmesh.steps.records import Trapezoidation
+from exactmesh.steps.interior import triangulate_interior
+from exactmesh.steps.one_sided import _candidates
+from exactmesh.steps.records import Patch, Trapezoidation
 from exactmesh.steps.trapezoidation import trapezoidate
 
 
@@ -58,3 +60,43 @@ class TestOffset:
         monkeypatch.setattr(nesting, "vertices_at", lambda d0, d1: vertices(d0, d1)[::-1])
         with pytest.raises(AssertionError):
             nesting.corner_kinds()
+
+
+class TestTilings:
+    @pytest.mark.parametrize("proper", [False, True])
+    def test_faces_of_all_small_trapezoids_add_up(self, scripts: Any, proper: bool) -> None:
+        tilings = scripts("repaired_tilings")
+        # Sides of length n have 2^(n - 1) sets of T-vertices.
+        assert [len(list(tilings.rooms(n))) for n in (2, 3)] == [5, 35]
+        assert tilings.check_trapezoids(5, proper) == 749
+
+    def test_wedges_fans_and_cross_edges_come_up(self, scripts: Any) -> None:
+        tilings = scripts("repaired_tilings")
+        rooms = list(tilings.rooms(6))
+        assert tilings.Room((0, 1, 2, 3), (5, 5), (True, True, True, True)) in rooms
+        assert tilings.Room((0, 2), (5, 5), (True, False, True, True)) in rooms
+        assert tilings.Room((0, 1, 3, 5), (0, 2, 4, 5), (True,) * 4) in rooms
+
+    @pytest.mark.parametrize("harm", [lambda faces: faces[1:], lambda faces: (*faces, faces[0]),
+                                      lambda faces: (faces[0][::-1], *faces[1:])], ids=["fewer", "twice", "turned"])
+    def test_a_wrong_face_is_seen(self, scripts: Any, monkeypatch: pytest.MonkeyPatch, harm: Callable[[Any], Any]
+                                  ) -> None:
+        tilings = scripts("repaired_tilings")
+
+        def harmed(*given: Any) -> Patch:
+            patch = triangulate_interior(*given)
+            return replace(patch, faces=harm(patch.faces))
+        monkeypatch.setattr(tilings, "triangulate_interior", harmed)
+        with pytest.raises(AssertionError):
+            tilings.check_trapezoids(3, False)
+        monkeypatch.setattr(tilings, "_candidates", lambda frame, proper: (
+            candidate._replace(faces=harm(candidate.faces)) for candidate in _candidates(frame, proper)))
+        with pytest.raises(AssertionError):
+            tilings.check_candidates(1)
+
+    def test_sides_of_all_candidates_and_of_the_tube_add_up(self, scripts: Any) -> None:
+        tilings = scripts("repaired_tilings")
+        seen = tilings.check_candidates(3)
+        # Splits, hubs or centres and one apex, two and three apexes; rows of three, two and one in a proper mesh.
+        assert {"nonproper, 0 new", "nonproper, 1 new", "nonproper, 3 new", "proper, 6 new"} <= set(seen)
+        assert tilings.tube_blocks() == 25 + 125 + 625 + 1

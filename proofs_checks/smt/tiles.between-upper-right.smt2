@@ -1,0 +1,11 @@
+; tiles.between-upper-right: vertices x apart, feet c and d below: turns left
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const d Real)
+(declare-const x Real)
+(assert (> (* 1.0 x) 0.0))
+(assert (> (* 1.0 d) 0.0))
+(assert (> (* 1.0 c) 0.0))
+(assert (>= (* (- 1.0) c x) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; tiles.cut-wide: and 135 degrees or more
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const e Real)
+(declare-const h Real)
+(declare-const p Real)
+(assert (= (+ (* 1.0 c c) (* 1.0 e e) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 c) (- (/ 943.0 1000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) e) (/ 663.0 2000.0)) 0.0))
+(assert (>= (+ (* 1.0 e) (/ 663.0 2000.0)) 0.0))
+(assert (>= (+ (* 1.0 h) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (* 1.0 p) (/ 3.0 10.0)) 0.0))
+(assert (>= (+ (* (- 1.0) c h) (* 1.0 e p)) 0.0))
+(assert (> (+ (* (- 4.0) c e h p) (* 1.0 c c h h) (* (- 1.0) c c p p) (* (- 1.0) e e h h) (* 1.0 e e p p)) 0.0))
+(check-sat)

@@ -1,0 +1,17 @@
+; tiles.line-within: e' begins over e: its line is not above both ends of e on the wrong side
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const l Real)
+(declare-const w Real)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const z Real)
+(assert (>= (+ (* 1.0 l) (- 1.0)) 0.0))
+(assert (> (+ (* (- 1.0) x) (* 1.0 z)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* 1.0 w) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (> (+ (* 1.0 l) (* (- 1.0) x)) 0.0))
+(assert (>= (+ (* 1.0 w x) (* (- 1.0) y z)) 0.0))
+(assert (>= (+ (* (- 1.0) l w) (* 1.0 l y) (* 1.0 w x) (* (- 1.0) y z)) 0.0))
+(check-sat)

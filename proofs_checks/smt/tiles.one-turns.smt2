@@ -1,0 +1,17 @@
+; tiles.one-turns: it cannot be that neither L, u, t nor R, u, t turns left
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const h Real)
+(declare-const k Real)
+(declare-const l Real)
+(declare-const p Real)
+(declare-const q Real)
+(assert (> (* 1.0 h) 0.0))
+(assert (> (* 1.0 k) 0.0))
+(assert (> (* 1.0 q) 0.0))
+(assert (> (* 1.0 l) 0.0))
+(assert (> (+ (* 1.0 l) (* (- 1.0) p)) 0.0))
+(assert (> (+ (* (- 1.0) p) (* 1.0 q)) 0.0))
+(assert (>= (+ (* (- 1.0) h q) (* 1.0 k p)) 0.0))
+(assert (>= (+ (* 1.0 h l) (* (- 1.0) h q) (* (- 1.0) k l) (* 1.0 k p)) 0.0))
+(check-sat)

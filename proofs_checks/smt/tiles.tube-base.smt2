@@ -1,0 +1,9 @@
+; tiles.tube-base: p, p' and a vertex on e': turns left
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const l Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 l) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (* (- 1.0) l y) 0.0))
+(check-sat)
