@@ -1,9 +1,9 @@
 """Check the size of numbers: a bound of the bits of every coordinate, from those of the input alone.
 
-The bound follows the formulas of the steps. A value is kept as a numerator of so many bits over a product of named
-factors, the denominators and divisors that went into it, so that a sum of values over common factors does not multiply
-them again. With |a| < 2**k, |b| < 2**l over the same factors, a + b < 2**(max(k, l) + 1), a b < 2**(k + l), and what is
-chosen from several values has the greatest of their sizes. The depth of all formulas is fixed, but for the rows of
+The bound follows the formulas of the steps. A value is kept as a numerator of so many bits over a product of factors,
+the denominators and divisors that went into it, so that a sum of values over common factors does not multiply them
+again. With |a| < 2**k, |b| < 2**l over the same factors, |a + b|, |a - b| < 2**(max(k, l) + 1), |a b| < 2**(k + l), and
+what is chosen from several values has the greatest of their sizes. Sums and differences are alike: all are written +. The depth of all formulas is fixed, but for the rows of
 `layers`: for proper meshes nothing is claimed. So sizes are linear in those of the input, whatever its length.
 
 Not checked: that the formulas below are those of the steps. The bound is asserted of the numbers that came out.
@@ -19,8 +19,8 @@ from exactmesh.measure.verdict import Verdict, failed
 from exactmesh.steps.constants import FLAT, LEVEL, WIDE
 from exactmesh.steps.records import Offset, Patch, Shape, Trapezoidation
 
-# The name of a divisor, and its bits.
-Factor = tuple[str, int]
+# What stands for a divisor, by identity, and its bits.
+Factor = tuple[object, int]
 
 
 class Size:
@@ -49,24 +49,22 @@ class Size:
         either = self.or_(other)
         return Size(either.bits + 1, either.factors)
 
-    __sub__ = __add__
-
     def __mul__(self, other: "Size") -> "Size":
         return Size(self.bits + other.bits, self.factors + other.factors)
 
-    def divided(self, name: str, other: "Size") -> "Size":
-        """Return the size of the quotient; the numerator of `other` becomes a factor of this name."""
+    def divided(self, other: "Size") -> "Size":
+        """Return the size of the quotient; the numerator of `other` becomes a factor."""
         return Size(self.bits + _bits(other.factors - self.factors),
-                    (self.factors - other.factors) + Counter({(name, other.bits): 1}))
+                    (self.factors - other.factors) + Counter({(other, other.bits): 1}))
 
 
 def _bits(factors: "Counter[Factor]") -> int:
     return sum(bits * power for (_, bits), power in factors.items())
 
 
-def _value(name: str, bits: int, denominator: int) -> Size:
+def _value(bits: int, denominator: int) -> Size:
     """Return the size of a value with a denominator of its own."""
-    return Size(bits, Counter({(name, denominator): 1}))
+    return Size(bits, Counter({(object(), denominator): 1}))
 
 
 class Place(NamedTuple):
@@ -77,7 +75,7 @@ class Place(NamedTuple):
 
     def minus(self, other: "Place") -> "Place":
         """Return the size of the vector from another point."""
-        return Place(self.x - other.x, self.y - other.y)
+        return Place(self.x + other.x, self.y + other.y)
 
     def dot(self, other: "Place") -> Size:
         """Return the size of a scalar or cross product."""
@@ -104,8 +102,9 @@ class Limits(NamedTuple):
     tube: Bits
 
 
-# The shares in the rules for new vertices, of up to 7 bits over 1000 at most.
+# The shares in the rules for new vertices, of up to 7 bits over 1000 at most, and parts of sums.
 _SHARE = Size(7, Counter({("share", 10): 1}))
+_HALF, _QUARTER = Size(1, Counter({("2", 2): 1})), Size(1, Counter({("2", 2): 2}))
 
 
 def bits_of(points: Iterable[Point]) -> Bits:
@@ -124,7 +123,7 @@ def limits(p: Bits) -> Limits:
     # A level is (2 j + 1) LEVEL / 2 with an integer j that is less than 5 bits longer than the ordinate.
     half = bits_of([Point(LEVEL / 2, LEVEL / 2)])
     level = n + 6
-    height = _value("level", level + half.numerator, half.denominator)
+    height = _value(level + half.numerator, half.denominator)
     # The line a x + b y = c of two points, moved by a vertex of the body, all multiplied by its denominators: four of
     # coordinates, one of the body. Two lines cross at x = (c b' - c' b) / (a b' - a' b).
     body = bits_of([Point(FLAT, WIDE)])
@@ -134,37 +133,37 @@ def limits(p: Bits) -> Limits:
     # A chord end is a mean of two abscissae with numbers of levels as weights.
     chord = Bits(q.numerator + q.denominator + level + 1, 2 * q.denominator + level)
 
-    def of_q(name: str) -> Place:
-        return Place(_value(name, *q), height)
+    def of_q() -> Place:
+        return Place(_value(*q), height)
 
-    a, b = of_q("a"), of_q("b")
-    foot = height + height * (of_q("v").x - a.x).divided("b-a", b.x - a.x)
+    a, b, v = of_q(), of_q(), of_q()
+    foot = height + height * (v.x + a.x).divided(b.x + a.x)
     # What the Interior and the Tube begin with: any vertex on Q, or in a quadrilateral between dropped verticals.
     on_q = Bits(max(q.numerator, chord.numerator), max(q.denominator, chord.denominator))
     foot_y = Bits(max(foot.bits, height.bits), max(foot.denominator, height.denominator))
 
-    def recorded(name: str) -> Place:
-        return Place(_value(name + ".x", *on_q), height)
+    def recorded() -> Place:
+        return Place(_value(*on_q), height)
 
-    def dropped(name: str) -> Place:
-        return Place(_value(name + ".x", *on_q), _value(name + ".y", *foot_y))
+    def dropped() -> Place:
+        return Place(_value(*on_q), _value(*foot_y))
 
-    def given(name: str) -> Place:
-        return Place(_value(name + ".x", n, d), _value(name + ".y", n, d))
+    def given() -> Place:
+        return Place(_value(n, d), _value(n, d))
 
-    centre = _centre(*map(dropped, "abcd"))
-    o, e, *others = map(recorded, "oeuvst")
-    shares = [(w.x - o.x).divided("e-o", e.x - o.x) for w in others]
-    inside = _new(o, e, recorded("a"), recorded("b"), shares)
+    centre = _centre(dropped(), dropped(), dropped(), dropped())
+    o, e, *others = (recorded() for _ in range(6))
+    way = e.x + o.x
+    shares = [(w.x + o.x).divided(way) for w in others]
+    inside = _new(o, e, recorded(), recorded(), shares)
     # In the Tube, chord ends are shares of the way by numbers of levels, feet stand where a vertex of Q does.
-    o, e, *others = map(of_q, "oeuvst")
-    by_level = Size(level, Counter({("levels", level): 1}))
-    shares = [by_level.or_((w.x - o.x).divided("e-o", e.x - o.x)) for w in others]
-    in_tube = _new(o, e, given("a"), given("b"), shares)
-    return Limits(_greatest(Size(q.numerator, Counter({("q", q.denominator): 1})), height),
-                  _greatest(Size(chord.numerator, Counter({("q", chord.denominator): 1})), height),
-                  _greatest(Size(on_q.numerator, Counter({("q", on_q.denominator): 1})), foot, *centre, *inside),
-                  _greatest(*in_tube))
+    o, e, *others = (of_q() for _ in range(6))
+    way = e.x + o.x
+    by_level = _value(level, level)
+    shares = [by_level.or_((w.x + o.x).divided(way)) for w in others]
+    in_tube = _new(o, e, given(), given(), shares)
+    return Limits(_greatest(_value(*q), height), _greatest(_value(*chord), height),
+                  _greatest(_value(*on_q), foot, *centre, *inside), _greatest(*in_tube))
 
 
 def _greatest(*sizes: Size) -> Bits:
@@ -173,11 +172,10 @@ def _greatest(*sizes: Size) -> Bits:
 
 def _centre(a: Place, b: Place, c: Place, d: Place) -> Place:
     """Return the size of a vertex in a clean quadrilateral: the mean, or one over the middle of a b towards c d."""
-    half, quarter = Size(1, Counter({("2", 2): 1})), Size(1, Counter({("2", 2): 2}))
-    mean = Place((a.x + b.x + (c.x + d.x)) * quarter, (a.y + b.y + (c.y + d.y)) * quarter)
-    middle = Place((a.x + b.x) * half, (a.y + b.y) * half)
+    mean = Place((a.x + b.x + (c.x + d.x)) * _QUARTER, (a.y + b.y + (c.y + d.y)) * _QUARTER)
+    middle = Place((a.x + b.x) * _HALF, (a.y + b.y) * _HALF)
     along = d.minus(c)
-    t = middle.minus(c).dot(along).divided("cd", along.dot(along))
+    t = middle.minus(c).dot(along).divided(along.dot(along))
     foot = Place(c.x + t * along.x, c.y + t * along.y)
     beyond = foot.minus(middle)
     return mean.or_(Place(middle.x + _SHARE * beyond.x, middle.y + _SHARE * beyond.y))
@@ -190,17 +188,16 @@ def _new(o: Place, e: Place, a: Place, b: Place, shares: Sequence[Size]) -> Plac
     """
     along = e.minus(o)
     squared = along.dot(along)
-    to_a, to_b = (anchor.minus(o).dot(along).divided("|oe|^2", squared) for anchor in (a, b))
+    to_a, to_b = (anchor.minus(o).dot(along).divided(squared) for anchor in (a, b))
     # What is known of an anchor or an end of the T-side, which are at 0 and 1.
     known = Size(1).or_(to_a, to_b)
-    slope = (to_b - to_a).divided("b-a in the frame", to_b - to_a)
-    clean = to_a + slope * (known - to_a)
-    half = Size(1, Counter({("2", 2): 1}))
-    x, leader = (((u + v) * half).or_(u + clean, v + clean, (to_a + to_b) * half)
+    slope = (to_b + to_a).divided(to_b + to_a)
+    clean = to_a + slope * (known + to_a)
+    x, leader = (((u + v) * _HALF).or_(u + clean, v + clean, (to_a + to_b) * _HALF)
                  for u, v in (shares[:2], shares[2:]))
     top = _SHARE * clean
-    y = top.or_(known + (x - known) * (top - known).divided("leader-anchor", leader - known))
-    hub = Place(to_a + _SHARE * (to_b - to_a), _SHARE * (to_a + _SHARE * (to_b - to_a)))
+    y = top.or_(known + (x + known) * (top + known).divided(leader + known))
+    hub = Place(to_a + _SHARE * (to_b + to_a), _SHARE * (to_a + _SHARE * (to_b + to_a)))
     corner = Place(known, known)
     back = Place(x, y).or_(hub, _centre(corner, corner, corner, corner)).dot(along)
     return Place(o.x + back, o.y + back)

@@ -69,3 +69,23 @@ def test_verdicts_say_all_there_is_to_say():
                 harmed = replace(made, **{part: replace(record, points=(*record.points[:-1], far))})
                 verdicts.append((f"{name}: {part}", verdict(harmed)))
         lines += verdicts
+
+
+@pytest.mark.parametrize("part", ["offset", "trapezoidation", "interior", "tube"])
+def test_the_bounds_themselves_are_allowed(part):
+    made = Run(families.ALL_SMALL["turned comb"]).repaired
+    most = getattr(limits(bits_of(made.shape.points)), "chords" if part == "trapezoidation" else part)
+    record = getattr(made, part)
+    for longer in (0, 1):
+        for value in (mpq(2) ** (most.numerator - 1 + longer), mpq(1, 2 ** (most.denominator - 1 + longer))):
+            far = Point(value, record.points[0].y)
+            harmed = verdict(replace(made, **{part: replace(record, points=(far, *record.points[1:]))}))
+            assert harmed.holds == (not longer)
+
+
+@pytest.mark.parametrize("numerator, denominator, expected", [
+    (100, 1, ((332, 231), (670, 568), (27839, 27730), (9799, 9690))),
+    (1, 100, ((629, 627), (1264, 1261), (58232, 58222), (23956, 23946))),
+    (40, 7, ((182, 147), (376, 340), (16439, 16390), (6055, 6006)))])
+def test_numerators_and_denominators_count_apart(numerator, denominator, expected):
+    assert limits(Bits(numerator, denominator)) == expected
