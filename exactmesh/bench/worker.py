@@ -21,7 +21,7 @@ from exactmesh.claims.ledger import judge
 from exactmesh.claims.run import Run
 from exactmesh.geometry.decisions import decisions
 from exactmesh.io.atomic import write_text
-from exactmesh.io.mesh_json import json_from_mesh
+from exactmesh.io.mesh_json import json_parts_from_mesh
 from exactmesh.io.pslg_json import json_from_pslg
 from exactmesh.io.read import read_mesh, read_pslg
 
@@ -81,7 +81,7 @@ def pipeline(task: Mapping[str, Any]) -> dict[str, object]:
         judgements = clock("check", lambda: list(judge(run)))
         result |= {"holds": verification.valid and all(j.verdict.holds for j in judgements),
                    "mesh_vertices": len(mesh.vertices), "faces": len(mesh.faces)}
-        clock("write", lambda: write_text(task["out"], json_from_mesh(mesh)))
+        clock("write", lambda: write_text(task["out"], json_parts_from_mesh(mesh)))
         del run, mesh, verification, judgements
         clock("reread", lambda: read_mesh(task["out"]))
     counts = {what: (count.by_floats, count.exactly) for what, count in decisions().items()}

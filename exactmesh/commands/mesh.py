@@ -3,6 +3,7 @@
 import argparse
 import hashlib
 import sys
+from collections.abc import Iterable
 
 from exactmesh import report
 from exactmesh.api import meshing_of
@@ -15,7 +16,7 @@ from exactmesh.commands.optimization import add_optimization, check_optimization
 from exactmesh.commands.options import Subparsers, add_box, add_quiet, positive, read_source
 from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
-from exactmesh.io.mesh_json import json_from_mesh
+from exactmesh.io.mesh_json import json_parts_from_mesh
 from exactmesh.io.pslg_json import json_from_pslg
 from exactmesh.paper import paper_options
 from exactmesh.pictures.draw import svg_from_mesh
@@ -81,11 +82,14 @@ def _run(args: argparse.Namespace) -> int:
             result = meshing_of(run)
             summary = f"{report.claims_text(result.judgements)}\n\n{report.verification_text(result.verification)}"
         progress("writing")
-        text = json_from_mesh(result.mesh)
+        # All parts are in memory at once only where they are needed again.
+        parts: Iterable[str] = json_parts_from_mesh(result.mesh)
+        if args.report or args.certificate:
+            parts = list(parts)
         if args.output:
-            write_text(args.output, text)
+            write_text(args.output, parts)
         if args.report:
-            digest = hashlib.sha256(text.encode()).hexdigest()
+            digest = hashlib.sha256("".join(parts).encode()).hexdigest()
             name = "optimized" if args.optimize else construction
             write_text(args.report, report.report_json(source.pslg, source.sha256, result, digest, name))
         if args.svg:
@@ -95,7 +99,8 @@ def _run(args: argparse.Namespace) -> int:
         if args.pslg:
             write_text(args.pslg, pslg_data.decode())
         if args.certificate and result.verification.valid:
-            write_text(args.certificate, certificate_text(pslg_data, text.encode(), run.subdivision, result.mesh,
+            data = "".join(parts).encode()
+            write_text(args.certificate, certificate_text(pslg_data, data, run.subdivision, result.mesh,
                                                           result.verification, progress))
     if args.certificate and not result.verification.valid:
         print("exactmesh: no certificate is written: the mesh is not valid", file=sys.stderr)

@@ -146,11 +146,13 @@ def unpaired_sides(faces: FaceColumns, count: int) -> Ints | None:
     None when a directed edge is there twice. `count` is above all vertices.
     """
     first, last = faces.sides()
-    key = np.sort(first * count + last)
+    key, twin = first * count, last * count
+    key += last
+    twin += first
+    del first, last
+    key.sort()
     if (key[1:] == key[:-1]).any():
         return None
-    twin = np.sort(last * count + first)
-    place = np.searchsorted(twin, key)
-    place[place == len(twin)] = 0
-    unpaired: Ints = key[twin[place] != key] if len(twin) else key
-    return unpaired
+    twin.sort()
+    unpaired = [part[twin[np.minimum(np.searchsorted(twin, part), len(twin) - 1)] != part] for _, part in chunks(key)]
+    return np.concatenate((key[:0], *unpaired))

@@ -5,7 +5,8 @@ before it, so that no place is spelled out until something is wrong.
 """
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
 from math import isinf
 from typing import TypeVar
 
@@ -21,6 +22,7 @@ T = TypeVar("T")
 
 _INTEGER = re.compile(r"-?\d+", re.ASCII)
 _NONZERO_MANTISSA = re.compile(r"-?[0.]*[1-9]", re.ASCII)
+_ROWS = 1 << 12
 # An index that is longer is out of range in any file; it is not worth converting.
 _INDEX_DIGITS = 18
 
@@ -107,10 +109,24 @@ def edge(value: Json, count: int) -> tuple[int, int]:
 
 def rows(items: Iterable[str]) -> str:
     """Return a JSON list of texts that are JSON already, one a line so that files can be compared."""
-    body = ",\n  ".join(items)
-    return f"[\n  {body}]" if body else "[]"
+    return "".join(row_parts(items))
+
+
+def row_parts(items: Iterable[str]) -> Iterator[str]:
+    """Yield `rows` in parts of some thousand rows; no item is empty."""
+    rest = iter(items)
+    before = "[\n  "
+    while body := ",\n  ".join(islice(rest, _ROWS)):
+        yield before + body
+        before = ",\n  "
+    yield "[]" if before[0] == "[" else "]"
 
 
 def point_rows(points: Iterable[Point]) -> str:
     """Return a JSON list of points; scalars are strings in lowest terms."""
-    return rows(f'["{p.x}", "{p.y}"]' for p in points)
+    return rows(map(point_row, points))
+
+
+def point_row(p: Point) -> str:
+    """Return a point as a JSON list of strings in lowest terms."""
+    return f'["{p.x}", "{p.y}"]'

@@ -4,9 +4,11 @@ Read here: keys, types, the kind, scalars and index ranges. Not checked: whether
 triangulation, or have as many vertices as the kind says, which is for the verifier to report.
 """
 
+from collections.abc import Iterator
+
 from exactmesh.errors import FormatError
 from exactmesh.io.as_written import mesh_as_written
-from exactmesh.io.json_fields import each, fields, point, point_rows, rows, vertex_index
+from exactmesh.io.json_fields import each, fields, point, point_row, row_parts, vertex_index
 from exactmesh.io.strict_json import Json, described, parse_json
 from exactmesh.planar.mesh import KINDS, Kind, Mesh
 
@@ -30,12 +32,16 @@ def mesh_from_value(value: Json) -> Mesh:
 
 def json_from_mesh(mesh: Mesh) -> str:
     """Return the text of a file that is read back as the same mesh."""
-    faces = rows(f"[{', '.join(map(str, face))}]" for face in mesh.faces)
-    parts = [f'"format": "{FORMAT}"',
-             f'"kind": "{mesh.kind}"',
-             f'"vertices": {point_rows(mesh.vertices)}',
-             f'"faces": {faces}']
-    return "{" + ",\n ".join(parts) + "}\n"
+    return "".join(json_parts_from_mesh(mesh))
+
+
+def json_parts_from_mesh(mesh: Mesh) -> Iterator[str]:
+    """Yield `json_from_mesh` in parts: the text of a large mesh need not be in memory at once."""
+    yield f'{{"format": "{FORMAT}",\n "kind": "{mesh.kind}",\n "vertices": '
+    yield from row_parts(map(point_row, mesh.vertices))
+    yield ',\n "faces": '
+    yield from row_parts(f"[{', '.join(map(str, face))}]" for face in mesh.faces)
+    yield "}\n"
 
 
 def _kind(value: Json) -> Kind:

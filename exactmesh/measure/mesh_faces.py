@@ -14,6 +14,7 @@ A height is the doubled area, off by the bound given there, over the longest sid
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
+from typing import Any
 
 import numpy as np
 from gmpy2 import mpq
@@ -28,17 +29,18 @@ Bools = NDArray[np.bool_]
 _LENGTH = 2.0**-50
 _DISTANCE = 2.0**-48
 _AREA = 2.0**-49
+# Numbers below this need half the memory.
+_MANY = 2**31 - 1
 
 
 @dataclass(frozen=True, slots=True)
 class Sides:
     """The directed edges of all faces: each distinct one by the entry where it is met first, in the order of entries.
 
-    `key` is from * count + to of the vertices, for all entries; `first` are the entries of distinct edges, `repeated`
-    those of faces that have an edge of an earlier face, with `owner` the entry where that one has it.
+    `first` are the entries of distinct edges, `repeated` those of faces that have an edge of an earlier face, with
+    `owner` the entry where that one has it. An edge is looked for by its key, from * count + to of the vertices.
     """
 
-    key: Ints
     first: Ints
     repeated: Ints
     owner: Ints
@@ -49,8 +51,11 @@ class Sides:
         """Return the entry where each of the keys is met first, -1 for a key that no edge has."""
         if not self._sorted_keys.size:
             return np.full(len(keys), -1)
-        place = np.minimum(np.searchsorted(self._sorted_keys, keys), len(self._sorted_keys) - 1)
-        return np.where(self._sorted_keys[place] == keys, self._sorted_first[place], -1)
+        found = np.empty(len(keys), np.int64)
+        for part in stretches(len(keys)):
+            place = np.minimum(np.searchsorted(self._sorted_keys, keys[part]), len(self._sorted_keys) - 1)
+            found[part] = np.where(self._sorted_keys[place] == keys[part], self._sorted_first[place], -1)
+        return found
 
 
 class MeshFaces:
@@ -65,15 +70,18 @@ class MeshFaces:
         self.cycles = cycles
         size = np.fromiter(map(len, cycles), np.int64, len(cycles))
         self.start = np.concatenate(([0], np.cumsum(size)))
-        self.vertex = np.fromiter(chain.from_iterable(cycles), np.int64, int(self.start[-1]))
-        self.face = np.repeat(np.arange(len(cycles)), size)
-        entries = np.arange(len(self.vertex))
+        count = int(self.start[-1])
+        # Half the memory where it will do; a key, which is a product, needs all of it.
+        number: Any = np.int32 if max(count, len(columns.points)) < _MANY else np.int64
+        self.vertex = np.fromiter(chain.from_iterable(cycles), number, count)
+        self.face = np.repeat(np.arange(len(cycles), dtype=number), size)
         real = np.flatnonzero(size)
-        self.following, self.before = entries + 1, entries - 1
+        self.following, self.before = np.arange(1, count + 1, dtype=number), np.arange(-1, count - 1, dtype=number)
         self.following[self.start[real + 1] - 1] = self.start[real]
         self.before[self.start[real]] = self.start[real + 1] - 1
         v = self.vertex
-        self.turn = columns.orientations(v[self.before], v, v[self.following])
+        self.turn = np.concatenate([np.empty(0, np.int8), *(
+            columns.orientations(v[self.before[part]], v[part], v[self.following[part]]) for part in stretches(count))])
 
     def not_triangles(self) -> list[tuple[int, NotTriangle]]:
         """Return the faces that are not counter-clockwise triangles, and why."""
@@ -94,17 +102,29 @@ class MeshFaces:
 
     def sides(self) -> Sides:
         """Return the directed edges of all faces."""
-        key = self.vertex * len(self.columns.points) + self.vertex[self.following]
+        key = self.key(self.vertex, self.vertex[self.following])
         order = np.argsort(key, kind="stable")
         in_order = key[order]
+        del key
         is_first = np.ones(len(order), np.bool_)
         is_first[1:] = in_order[1:] != in_order[:-1]
+        if is_first.all():
+            none = np.empty(0, np.int64)
+            return Sides(np.arange(len(order), dtype=self.face.dtype), none, none, in_order,
+                         order.astype(self.face.dtype))
         met_first = order[is_first]
         owner = met_first[np.cumsum(is_first) - 1]
         again = self.face[owner] != self.face[order]
         entry = order[again]
         sort = np.argsort(entry)
-        return Sides(key, np.sort(met_first), entry[sort], owner[again][sort], in_order[is_first], met_first)
+        return Sides(np.sort(met_first), entry[sort], owner[again][sort], in_order[is_first], met_first)
+
+    def key(self, first: Ints, last: Ints) -> Ints:
+        """Return the keys of edges by their ends."""
+        key: Ints = first.astype(np.int64)
+        key *= len(self.columns.points)
+        key += last
+        return key
 
     def least_feature(self) -> tuple[mpq, int] | None:
         """Return the least squared feature size of a face and the first face that has it; None without faces.

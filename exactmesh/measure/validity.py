@@ -29,7 +29,7 @@ from itertools import chain
 import numpy as np
 from gmpy2 import mpq
 
-from exactmesh.geometry.fixed_point import FixedPoints, Ints
+from exactmesh.geometry.fixed_point import FixedPoints, Ints, stretches
 from exactmesh.geometry.predicates import is_ahead, orientation
 from exactmesh.measure.face_feature import face_witness
 from exactmesh.measure.ifs import internal_feature_size, mesh_ifs_of
@@ -161,23 +161,22 @@ class _Judge:
                 self._violated("face-size", face=number, vertices=int(size[number]))
 
     def _check_edges(self) -> None:
-        faces, count = self.faces, len(self.mesh.vertices)
+        faces = self.faces
         sides = faces.sides()
         origin, target = faces.vertex, faces.vertex[faces.following]
         for entry, owner in zip(sides.repeated.tolist(), sides.owner.tolist(), strict=True):
             self._violated("overlap", edge=[int(origin[entry]), int(target[entry])], face=int(faces.face[entry]),
                            other=int(faces.face[owner]))
-        rim = self._rim(sides)
-        first = sides.first
-        on_rim = np.zeros(len(sides.key), np.bool_)
-        on_rim[sides.find(rim)] = True
-        is_rim = on_rim[first]
-        twin = sides.find(target[first] * count + origin[first])
-        # An edge without a twin must be on the rim, one on the rim must have none.
-        wrong = is_rim == (twin >= 0)
-        for entry, other in zip(first[wrong].tolist(), twin[wrong].tolist(), strict=True):
-            shown = entry if other < 0 else other
-            self._violated("boundary", edge=[int(origin[shown]), int(target[shown])], face=int(faces.face[shown]))
+        on_rim = np.zeros(len(origin), np.bool_)
+        on_rim[sides.find(self._rim(sides))] = True
+        for part in stretches(len(sides.first)):
+            first = sides.first[part]
+            twin = sides.find(faces.key(target[first], origin[first]))
+            # An edge without a twin must be on the rim, one on the rim must have none.
+            wrong = on_rim[first] == (twin >= 0)
+            for entry, other in zip(first[wrong].tolist(), twin[wrong].tolist(), strict=True):
+                shown = entry if other < 0 else other
+                self._violated("boundary", edge=[int(origin[shown]), int(target[shown])], face=int(faces.face[shown]))
 
     def _rim(self, sides: Sides) -> Ints:
         """Return the keys of the mesh edges along the input with the domain on their left and not on their right.

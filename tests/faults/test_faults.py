@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from pathlib import Path
 from unittest.mock import patch
 
@@ -24,7 +25,8 @@ def test_nothing_is_half_written() -> None:
 
 
 def test_writing_in_place_is_seen() -> None:
-    def careless(path: str, data: bytes) -> None:
+    def careless(path: str, parts: Iterable[bytes]) -> None:
+        data = b"".join(parts)
         with open(path, "wb") as file:
             for at in range(0, len(data), 100):
                 file.write(data[at : at + 100])

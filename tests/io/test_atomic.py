@@ -3,6 +3,7 @@
 import os
 import stat
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -125,3 +126,19 @@ def test_a_closed_standard_output_is_said(monkeypatch):
     monkeypatch.setattr("sys.stdout", None)
     with pytest.raises(InputError, match="standard output: is closed"):
         write_text("-", "text")
+
+
+def test_parts_are_written_one_after_the_other_and_none_if_one_fails(tmp_path, capsys):
+    path = str(tmp_path / "a")
+    write_text(path, (f"{i}\n" for i in range(3)))
+    assert Path(path).read_text() == "0\n1\n2\n"
+
+    def failing():
+        yield "new"
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        write_text(path, failing())
+    assert Path(path).read_text() == "0\n1\n2\n" and os.listdir(tmp_path) == ["a"]
+    write_text("-", iter(["ä", "b\n"]))
+    assert capsys.readouterr().out == "äb\n"

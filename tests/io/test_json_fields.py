@@ -1,5 +1,6 @@
 """Scalars, points and indices of the exact JSON formats."""
 
+import json
 from fractions import Fraction
 
 import pytest
@@ -8,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactmesh.errors import FormatError
-from exactmesh.io.json_fields import each, fields, point, rows, scalar, vertex_index
+from exactmesh.io.json_fields import each, fields, point, row_parts, rows, scalar, vertex_index
 from exactmesh.io.strict_json import Number
 
 
@@ -113,3 +114,12 @@ def test_an_optional_key_may_be_there_or_not():
 def test_rows_are_lines():
     assert rows([]) == "[]"
     assert rows(["1", "2"]) == "[\n  1,\n  2]"
+
+
+@pytest.mark.parametrize("count", [0, 1, 2, 4095, 4096, 4097, 8192, 8193])
+def test_the_parts_of_a_list_are_the_list(count):
+    items = [str(i) for i in range(count)]
+    parts = list(row_parts(items))
+    assert "".join(parts) == rows(items) == ("[\n  " + ",\n  ".join(items) + "]" if items else "[]")
+    assert json.loads(rows(items)) == list(range(count))
+    assert max(map(len, parts)) < 10 * 4096

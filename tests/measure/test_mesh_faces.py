@@ -12,6 +12,7 @@ from exactmesh.geometry import fixed_point
 from exactmesh.geometry.decisions import decisions, forget
 from exactmesh.geometry.fixed_point import FixedPoints
 from exactmesh.geometry.point import Point
+from exactmesh.measure import mesh_faces as module
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
 from exactmesh.measure.mesh_faces import MeshFaces
 from exactmesh.planar.cycles import directed_edges
@@ -79,7 +80,9 @@ def test_faces_that_are_no_triangles_are_those_found_one_by_one() -> None:
     assert refused > 50
 
 
-def test_sides_are_those_of_the_dictionary() -> None:
+@pytest.mark.parametrize("many", [0, 2**31 - 1])
+def test_sides_are_those_of_the_dictionary(many: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(module, "_MANY", many)
     source = random.Random(6)
     for mesh in MESHES.values():
         cycles = [*mesh.faces, *source.sample(mesh.faces, 5), *(face[::-1] for face in source.sample(mesh.faces, 3))]
@@ -87,10 +90,11 @@ def test_sides_are_those_of_the_dictionary() -> None:
         owner, repeated = directed_edges(cycles)
         faces = MeshFaces(FixedPoints(mesh.vertices), cycles)
         sides = faces.sides()
-        count = len(mesh.vertices)
-        assert [divmod(key, count) for key in sides.key[sides.first].tolist()] == list(owner)
+        first, last = faces.vertex.tolist(), faces.vertex[faces.following].tolist()
+        keys = list(zip(first, last, strict=True))
+        assert [keys[entry] for entry in sides.first.tolist()] == list(owner)
         assert faces.face[sides.first].tolist() == list(owner.values())
-        found = [(divmod(int(sides.key[entry]), count), int(faces.face[entry])) for entry in sides.repeated]
+        found = [(keys[entry], int(faces.face[entry])) for entry in sides.repeated]
         assert found == repeated
         assert faces.face[sides.owner].tolist() == [owner[side] for side, _ in repeated]
 
