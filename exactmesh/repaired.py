@@ -13,6 +13,7 @@ from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import Subdivision
 from exactmesh.planar.mesh import Kind, Mesh
+from exactmesh.steps.balance import REPAIRED, Balance
 from exactmesh.steps.columns import triangulate_in_columns
 from exactmesh.steps.interior import triangulate_interior
 from exactmesh.steps.offset import offset
@@ -42,11 +43,12 @@ class Construction:
 
 @collector_paused()
 def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[str], None] = lambda step: None,
-              kind: Kind = "nonproper") -> Construction:
+              kind: Kind = "nonproper", balance: Balance = REPAIRED) -> Construction:
     """Return the mesh of the domain of `subdivision`, step by step; `progress` is told the name of each step.
 
     `size_squared` is the squared feature size to be kept: the mfs, or the ifs for an internal mesh. A proper mesh has
-    layers where a nonproper one has T-vertices; an internal one passes T-vertices on, up to the edges of P.
+    layers where a nonproper one has T-vertices; an internal one passes T-vertices on, up to the edges of P. A balance
+    other than the usual one is for nonproper meshes.
 
     Raises `ConstructionFailed` when a step finds no triangulation, which would be a counterexample to the design.
     """
@@ -54,19 +56,19 @@ def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[s
         _refuse_shared_edges(subdivision)
     shape = shape_of(subdivision, size_squared)
     progress("offset")
-    q = offset(shape)
+    q = offset(shape, balance)
     progress("trapezoidation")
     chords = trapezoidate(q)
     points = [*shape.points, *q.points, *chords.points]
     progress("interior")
     interior = (triangulate_in_columns(q, chords, points) if kind == "internal" else
-                triangulate_interior(q, chords, points, kind == "proper"))
+                triangulate_interior(q, chords, points, kind == "proper", balance))
     points += interior.points
     progress("tube")
     chord_ends = [(edge, chords.first + i) for i, edge in enumerate(chords.edge)]
     recorded = chord_ends + list(interior.on_edge)
     tube = (triangulate_tube_in_columns(shape, q, recorded, points) if kind == "internal" else
-            triangulate_tube(shape, q, recorded, points, kind == "proper"))
+            triangulate_tube(shape, q, recorded, points, kind == "proper", balance))
     points += tube.points
     mesh = Mesh(kind, subdivision.pslg.vertices + _scaled(q.points + chords.points, interior.points + tube.points,
                                                           shape.unit), shape.triangles + interior.faces + tube.faces)

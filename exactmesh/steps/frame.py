@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import repeat
 from typing import Literal, NamedTuple
 
 from gmpy2 import mpq
@@ -69,6 +70,8 @@ class Frame:
 
     Faces refer to u_j by j, to the anchors by `left` and `right`. The T-side, of length l, has length 1 in the frame:
     lengths are 1/l times the true ones, 1/l^2 = `scale_squared`, and the way back is without divisions.
+
+    A crooked T-side, from left to right, has u_j = (u[j], rise[j]) in a frame that may have any origin and scale.
     """
 
     u: tuple[mpq, ...]
@@ -77,6 +80,7 @@ class Frame:
     origin: Point
     along: Point
     mirrored: bool
+    rise: tuple[mpq, ...] = ()
 
     @property
     def scale_squared(self) -> mpq:
@@ -95,7 +99,7 @@ class Frame:
 
     def points(self) -> list[Point]:
         """Return the given points in the frame, by the index faces use."""
-        return [*(Point(u, _ZERO) for u in self.u), self.a, self.b]
+        return [*map(Point, self.u, self.rise or repeat(_ZERO)), self.a, self.b]
 
     def clean_height(self) -> mpq:
         """Return h0, the least height of the clean side over the part of the T-side below it; 0 if there is none."""

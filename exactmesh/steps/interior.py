@@ -8,7 +8,8 @@ Paper   joins one vertex to the corners of every trapezoid and leaves T-vertices
 Check   `patch_check.py`
 
 A trapezoid without T-vertices goes to `quad`. From any other one wedges are cut off (`wedges.py`). Then edges between
-consecutive opposite T-vertices leave pieces with T-vertices on one side only.
+consecutive opposite T-vertices leave pieces with T-vertices on one side only. In the coarse balance what is too thin is
+merged with what lies beside it (`merging.py`).
 """
 
 from collections.abc import Sequence
@@ -16,6 +17,7 @@ from itertools import groupby
 
 from exactmesh.geometry.point import Point
 from exactmesh.steps.balance import REPAIRED, Balance
+from exactmesh.steps.merging import merged_where_thin
 from exactmesh.steps.patch_builder import PatchBuilder
 from exactmesh.steps.records import Offset, Patch, Trapezoidation
 from exactmesh.steps.wedges import BOTTOM, FLIPS, LEFT, RIGHT, TOP, Leftover
@@ -31,7 +33,10 @@ def triangulate_interior(offset: Offset, trapezoidation: Trapezoidation, points:
             _triangulate(Leftover(mesh, of_q, z))
         else:
             mesh.add_quad((z.bl, z.br, z.tr, z.tl))
-    return mesh.finished()
+    patch = mesh.finished()
+    if balance.merges:
+        return merged_where_thin(patch, mesh.face_counts, offset, trapezoidation, points, balance)
+    return patch
 
 
 def _triangulate(rest: Leftover) -> None:

@@ -16,10 +16,11 @@ _TURNS = (Piece(((0, 2, 1),)), Piece(((0, 1, 2),)))
 
 
 class PatchBuilder:
-    """Faces and new vertices as they are made; `proper` asks for faces of three vertices, `balance` has the feature size.
+    """Faces and new vertices as they are made; `proper` asks for faces of three vertices, `balance` for a feature size.
 
     A vertex has a number at once, by which it is known here. In the patch that comes out, vertices are numbered in the
-    order in which they, and the quadrilaterals that get further ones, were added.
+    order in which they, and the quadrilaterals that get further ones, were added. `face_counts` then has the numbers of
+    faces of what was added, in order.
     """
 
     def __init__(self, points: Sequence[Point], proper: bool = False, balance: Balance = REPAIRED) -> None:
@@ -28,6 +29,7 @@ class PatchBuilder:
         self.points = list(points)
         self.first = len(points)
         self.on_edge: list[tuple[int, int]] = []
+        self.face_counts: list[int] = []
         self._order: list[_Sort] = []
         self._faces: list[Cycle] = []
         self._triangles: list[Cycle] = []
@@ -46,6 +48,7 @@ class PatchBuilder:
                 number.append(self.first + len(new) - 1)
                 continue
             piece, names = next(made[sort])
+            self.face_counts.append(len(piece.faces))
             places = [number[v] for v in names]
             if piece.steiner:
                 # New vertices from the last to the first, so that -1 - i counts from the end.
