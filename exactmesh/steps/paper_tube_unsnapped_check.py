@@ -32,7 +32,7 @@ def check_spokes(shape: Shape, curve: OffsetCurve, tops_only: bool) -> Verdict:
     """
     tally = Tally("the angle is at least 45 degrees", "<=", _HALF)
     for ring in curve.rings:
-        for corner, following in zip(ring, (*ring[1:], ring[0]), strict=True):
+        for corner, following in pairwise((*ring, ring[0])):
             chain = [(v, corner.corner) for v in corner.vertices] + [(following.vertices[0], following.corner)]
             for start, end in pairwise(chain[-2:] if tops_only else chain):
                 for (at, source), (other, _) in ((start, end), (end, start)):
@@ -99,8 +99,7 @@ def _whole(shape: Shape, curve: OffsetCurve, p4: Offset, tube: PaperTube
     """Yield the rectangles that stand on a whole edge of P4, with a and b on P3 and the corners of P beside them."""
     last: dict[int, tuple[CurveCorner, CurveCorner]] = {}
     for ring in curve.rings:
-        last |= {corner.corner: (corner, following)
-                 for corner, following in zip(ring, (*ring[1:], ring[0]), strict=True)}
+        last |= {corner.corner: (corner, following) for corner, following in pairwise((*ring, ring[0]))}
     for record in tube.rectangles:
         # A whole edge of P4 ends in vertices of P4, which have numbers before those of the chord ends.
         if max(record.side[0], record.side[-1]) < p4.first + len(p4.x):

@@ -3,8 +3,9 @@
 The bound follows the formulas of the steps. A value is kept as a numerator of so many bits over a product of factors,
 the denominators and divisors that went into it, so that a sum of values over common factors does not multiply them
 again. With |a| < 2**k, |b| < 2**l over the same factors, |a + b|, |a - b| < 2**(max(k, l) + 1), |a b| < 2**(k + l), and
-what is chosen from several values has the greatest of their sizes. Sums and differences are alike: all are written +. The depth of all formulas is fixed, but for the rows of
-`layers`: for proper meshes nothing is claimed. So sizes are linear in those of the input, whatever its length.
+what is chosen from several values has the greatest of their sizes. Sums and differences are alike: all are written +.
+The depth of all formulas is fixed, but for the rows of `layers`: for proper meshes nothing is claimed. So sizes are
+linear in those of the input, whatever its length.
 
 Not checked: that the formulas below are those of the steps. The bound is asserted of the numbers that came out.
 """

@@ -126,9 +126,11 @@ def every_side_whole():
     return record(side=(MADE.p4.first + following[k], *FIRST.side[1:-1], MADE.p4.first + k))
 
 
+SLANTED = Run(families.ring([(12, 1), (12, 4), (9, 7), (8, 4)]), "paper").paper
+
+
 def whole():
-    made = Run(families.ring([(12, 1), (12, 4), (9, 7), (8, 4)]), "paper").paper
-    return made.shape, made.curve, made.p4, made.tube
+    return SLANTED.shape, SLANTED.curve, SLANTED.p4, SLANTED.tube
 
 
 @pytest.mark.parametrize("judged, clause", HARMS.values(), ids=HARMS)
@@ -215,6 +217,10 @@ def test_verdicts_say_all_there_is_to_say():
         verdicts += [(f"{name}: {check.__name__}", check(reading))
                      for name, reading in (("octagon", OCTAGON), ("tube", TUBE))
                      for check in (before.check_fan_number, before.check_motion_number, before.check_low_number)]
+        for name, made, tube in (("slanted", SLANTED, SLANTED.tube), ("whole", MADE, every_side_whole())):
+            args = (made.shape, made.curve, made.p4, tube)
+            verdicts += [(f"{name}: inner corners", before.check_inner_corners(*args, TUBE)),
+                         (f"{name}: motion", before.check_motion(*args, made.points, TUBE))]
         lines += verdicts
 
 
