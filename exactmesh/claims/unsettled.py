@@ -33,7 +33,6 @@ UNSETTLED = MappingProxyType({
     "phase-2.lower-feature-size": (
         "proved but for 10^-8 of the spacing, which is what rounding abscissae by 2^-17 mfs may cost where a nearly "
         "level edge snaps by almost half the grid; it holds on all instances"),
-    "theorem-1.triangulation": _RUN,
     "theorem-2.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),
     "theorem-3.degradation": (

@@ -1,4 +1,4 @@
-; tiles.low-top: (b', a', s) turns left
+; paper-tube-tiles.low-top: (b', a', s) turns left
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const d Real)

@@ -1,4 +1,4 @@
-; tiles.one-turns: it cannot be that neither L, u, t nor R, u, t turns left
+; paper-tube-tiles.one-turns: it cannot be that neither L, u, t nor R, u, t turns left
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const h Real)

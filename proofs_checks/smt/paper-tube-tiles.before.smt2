@@ -1,4 +1,4 @@
-; tiles.before: t is still before R, and u after L
+; paper-tube-tiles.before: t is still before R, and u after L
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const l Real)

@@ -1,12 +1,12 @@
-; tiles.cut-obtuse: L on or above the line of T: the angle at t is obtuse
+; paper-tube-tiles.cut-obtuse: L on or above the line of T: the angle at t is obtuse
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const c Real)
 (declare-const e Real)
 (declare-const h Real)
 (declare-const p Real)
-(assert (= (+ (* 1.0 c c) (* 1.0 e e) (- 1.0)) 0.0))
 (assert (>= (+ (* 1.0 c) (- (/ 943.0 1000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) c) 1.0) 0.0))
 (assert (>= (+ (* (- 1.0) e) (/ 663.0 2000.0)) 0.0))
 (assert (>= (+ (* 1.0 e) (/ 663.0 2000.0)) 0.0))
 (assert (>= (+ (* 1.0 h) (- (/ 1.0 5.0))) 0.0))

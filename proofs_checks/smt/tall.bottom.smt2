@@ -1,0 +1,10 @@
+; tall.bottom: (L, R, s): it turns left
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const l Real)
+(declare-const x Real)
+(assert (>= (+ (* 1.0 l) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 x) (/ 3.0 20.0)) 0.0))
+(assert (>= (+ (* 1.0 l) (* (- 1.0) x) (/ 3.0 20.0)) 0.0))
+(assert (>= (* (- (/ 1.0 8.0)) l) 0.0))
+(check-sat)

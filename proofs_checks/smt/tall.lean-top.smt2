@@ -1,0 +1,17 @@
+; tall.lean-top: (u, t, s), q = -Q < 0: twice its area is G SHARE at least
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const G Real)
+(declare-const Q Real)
+(declare-const c Real)
+(declare-const h Real)
+(declare-const k Real)
+(assert (>= (* 1.0 Q) 0.0))
+(assert (>= (+ (* (- 1.0) Q) 1.0) 0.0))
+(assert (>= (* 1.0 G) 0.0))
+(assert (>= (* 1.0 c) 0.0))
+(assert (>= (+ (* (- 1.0) c) 1.0) 0.0))
+(assert (>= (+ (* (/ 477.0 10000.0) c) (* 1.0 k) (- (/ 24999.0 100000.0))) 0.0))
+(assert (>= (+ (* (/ 59.0 250.0) G c) (* (/ 1.0 10000.0) G) (* (- 1.0) h) (* 1.0 k)) 0.0))
+(assert (> (+ (* (- (/ 59.0 500.0)) G Q c) (* (- (/ 477.0 10000.0)) G c) (* (- 1.0) G k) (* (/ 1.0 2.0) Q h) (* (- (/ 1.0 2.0)) Q k) (* (/ 1249.0 5000.0) G)) 0.0))
+(check-sat)

@@ -1,0 +1,14 @@
+; tall.over-b: (t, L, s), p = -P and x >= 0: height b
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const P Real)
+(declare-const h Real)
+(declare-const x Real)
+(assert (>= (* 1.0 P) 0.0))
+(assert (>= (+ (* (- 1.0) P) (/ 2977.0 10000.0)) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* 1.0 P) (* 2.0 x) (- (/ 83.0 1000.0))) 0.0))
+(assert (>= (+ (* 1.0 h) (- (/ 2023.0 10000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) h) (/ 2977.0 10000.0)) 0.0))
+(assert (> (+ (* (- 1.0) h h x x) (* (- (/ 1.0 4.0)) P h x) (* (/ 18.0 15625.0) P x) (* (- (/ 15049.0 1000000.0)) P P) (* (/ 9.0 15625.0) h h) (* (/ 9.0 15625.0) x x) (* (- (/ 9.0 62500.0)) h) (/ 9.0 1000000.0)) 0.0))
+(check-sat)

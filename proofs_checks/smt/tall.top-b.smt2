@@ -1,0 +1,16 @@
+; tall.top-b: (u, t, s), x between p and q: z = x - p, t and u are i and j above s: height b
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const G Real)
+(declare-const i Real)
+(declare-const j Real)
+(declare-const z Real)
+(assert (>= (+ (* 1.0 G) (- (/ 83.0 1000.0))) 0.0))
+(assert (>= (* 1.0 z) 0.0))
+(assert (>= (+ (* 1.0 G) (* (- 1.0) z)) 0.0))
+(assert (>= (+ (* 1.0 i) (- (/ 773.0 10000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) i) (/ 1727.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 j) (- (/ 773.0 10000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) j) (/ 1727.0 10000.0)) 0.0))
+(assert (> (+ (* (- 2.0) G i j z) (* 2.0 G i i z) (* (- 1.0) G G i i) (* 2.0 i j z z) (* (- 1.0) i i z z) (* (- 1.0) j j z z) (* (- (/ 18.0 15625.0)) G z) (* (/ 9.0 15625.0) G G) (* (/ 9.0 15625.0) j j) (* (/ 9.0 15625.0) z z)) 0.0))
+(check-sat)

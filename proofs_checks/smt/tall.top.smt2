@@ -1,0 +1,16 @@
+; tall.top: (u, t, s), x between p and q: z = x - p, t and u are i and j above s: it turns left
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const G Real)
+(declare-const i Real)
+(declare-const j Real)
+(declare-const z Real)
+(assert (>= (+ (* 1.0 G) (- (/ 83.0 1000.0))) 0.0))
+(assert (>= (* 1.0 z) 0.0))
+(assert (>= (+ (* 1.0 G) (* (- 1.0) z)) 0.0))
+(assert (>= (+ (* 1.0 i) (- (/ 773.0 10000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) i) (/ 1727.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 j) (- (/ 773.0 10000.0))) 0.0))
+(assert (>= (+ (* (- 1.0) j) (/ 1727.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) G i) (* 1.0 i z) (* (- 1.0) j z)) 0.0))
+(check-sat)
