@@ -638,3 +638,30 @@ def test_random_chains_of_changes_are_judged_as_by_the_oracle() -> None:
             if not changed.judged():
                 given, valid = changed, valid + 1
     assert valid > 200
+
+
+def violated(found: Verification, clause: str) -> list[dict[str, object]]:
+    return [dict(violation.place) for violation in found.violations if violation.clause == clause]
+
+
+@pytest.mark.parametrize("outside", [0, 1, 2])
+def test_the_face_beyond_the_rim_is_the_one_that_is_shown_wherever_it_is_listed(outside: int) -> None:
+    faces = [(0, 1, 2), (0, 2, 3)]
+    faces.insert(outside, (1, 0, 4))
+    found = case(SQUARE, cycle(4), [(2, -2)], tuple(faces), "proper").verify()
+    assert {"edge": [1, 0], "face": outside} in violated(found, "boundary")
+    assert {"edge": [0, 1], "face": 0 if outside else 1} not in violated(found, "boundary")
+
+
+def test_an_input_vertex_that_is_missing_is_no_other_one() -> None:
+    # Of three vertices, edges are numbered from * 3 + to: from 1 to the missing 3 would be from 2 to 0.
+    square = case(SQUARE, [*cycle(4), (1, 3)], [], ((0, 1, 2),), "proper")
+    found = square.with_mesh(vertices=square.mesh.vertices[:3]).verify()
+    assert {"edge": [1, 3]} in violated(found, "input-edge") and {"edge": [3, 1]} in violated(found, "input-edge")
+    assert {"edge": [2, 3]} in violated(found, "input-edge") and {"edge": [0, 1]} not in violated(found, "input-edge")
+
+
+def test_an_internal_mesh_may_lack_an_input_vertex() -> None:
+    square = case(SQUARE, cycle(4), [], ((0, 1, 2),), "internal")
+    found = square.with_mesh(vertices=square.mesh.vertices[:3]).verify()
+    assert violated(found, "input-edge") == [{"edge": [2, 3]}, {"edge": [3, 0]}]
