@@ -5,6 +5,10 @@ are grouped: a group has a leader E, and its members, which stand at least half 
 segment A E. So the long triangles at A have walls in a ratio of 2 or more and carry T-vertices on one side only. The
 same on the right with B.
 
+A member half as far out as E, below a leader twice as far, is a fifth of the height from the line of the latter
+measured upwards, so a hair nearer to it. The last candidate begins a new group there instead, whose ratio is a hair
+below 2.
+
 Long faces carry T-vertices, listed in the cycle of the face.
 """
 
@@ -18,6 +22,7 @@ from gmpy2 import mpq
 from exactmesh.geometry.point import Point, cross, dot, minus
 from exactmesh.steps.frame import MODES, REACHES, Candidate, Face, Frame, Mode, Trial
 
+_ZERO = mpq(0)
 _HEIGHTS = (mpq(1, 5), mpq(23, 100))
 _HEIGHTS_FEW_GAPS = (mpq(1, 5), mpq(1, 4), mpq(1, 3), mpq(2, 5))
 # Below a clean side that slants: the height of leaders, and the greatest inset, in heights of the T-side.
@@ -44,6 +49,9 @@ def nested_trials(frame: Frame) -> Iterator[Trial]:
             for reach in REACHES:
                 if (trial := _nested(frame, h0, mode, beta * h0, reach)) is not None:
                     yield trial
+    height = heights[0] * h0
+    if (trial := _nested(frame, h0, MODES[0], height, REACHES[0], height)) is not None:
+        yield trial
 
 
 def nested_below(frame: Frame) -> Candidate | None:
@@ -84,17 +92,17 @@ class _Layout(NamedTuple):
     x: list[mpq]
 
 
-def _nested(frame: Frame, h0: mpq, mode: Mode, height: mpq, reach: int) -> Trial | None:
+def _nested(frame: Frame, h0: mpq, mode: Mode, height: mpq, reach: int, apart: mpq = _ZERO) -> Trial | None:
     layout = _layout(frame, h0, mode, reach)
-    return None if layout is None else _over(frame, layout, frame.a, frame.b, height)
+    return None if layout is None else _over(frame, layout, frame.a, frame.b, height, apart)
 
 
-def _over(frame: Frame, layout: _Layout, a: Point, b: Point, height: mpq) -> Trial | None:
+def _over(frame: Frame, layout: _Layout, a: Point, b: Point, height: mpq, apart: mpq = _ZERO) -> Trial | None:
     """Return the triangulation with leaders at a height, in the coordinates of the layout, a and b."""
     z, xs = layout.z, layout.x
-    to_left = _groups(xs[z::-1], a, height)
+    to_left = _groups(xs[z::-1], a, height, apart)
     # The right side is the left one seen in a mirror.
-    to_right = _groups([-x for x in xs[z:]], Point(-b.x, b.y), height)
+    to_right = _groups([-x for x in xs[z:]], Point(-b.x, b.y), height, apart)
     if to_left is None or to_right is None:
         return None
     heights = [y for _, y in reversed(to_left)] + [y for _, y in to_right[1:]]
@@ -142,17 +150,19 @@ def _middle(u: tuple[mpq, ...], insets: list[mpq], middle: mpq) -> tuple[int, mp
     return z, nearest
 
 
-def _groups(xs: list[mpq], anchor: Point, height: mpq) -> list[tuple[int, mpq]] | None:
+def _groups(xs: list[mpq], anchor: Point, height: mpq, apart: mpq) -> list[tuple[int, mpq]] | None:
     """Return the group number and the height of each apex, from z outwards to the anchor on the left.
 
-    None when a leader does not stand right of the anchor although there are apexes left of z.
+    A member keeps the given distance from the line of the group before. None when a leader does not stand right of the
+    anchor although there are apexes left of z.
     """
     found: list[tuple[int, mpq]] = []
     group = -1
     left, low = anchor
     nearest = slope = left
+    before = _ZERO
     for x in xs:
-        if group >= 0 and x >= nearest:
+        if group >= 0 and x >= nearest and (not group or not apart or _keeps(x - left, slope, before, apart)):
             found.append((group, low + (x - left) * slope))
             continue
         group += 1
@@ -161,8 +171,13 @@ def _groups(xs: list[mpq], anchor: Point, height: mpq) -> list[tuple[int, mpq]] 
             if x <= left:
                 return None
             # Members stand at least half as far from the anchor, on the segment to the leader.
-            nearest, slope = (x + left) / 2, (height - low) / (x - left)
+            nearest, before, slope = (x + left) / 2, slope, (height - low) / (x - left)
     return found
+
+
+def _keeps(x: mpq, slope: mpq, other: mpq, apart: mpq) -> bool:
+    """Return whether the point at x of a line through the origin keeps a distance from another one, by their slopes."""
+    return bool((x * (slope - other)) ** 2 >= apart * apart * (1 + other * other))
 
 
 def _faces(frame: Frame, layout: _Layout, left_groups: list[int], right_groups: list[int]) -> list[Face]:

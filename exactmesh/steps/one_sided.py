@@ -27,12 +27,13 @@ from exactmesh.steps.nested import nested_below, nested_candidates
 from exactmesh.steps.quad import centre_value, centres
 from exactmesh.steps.records import Cycle, Piece
 
-# With more T-vertices only the splits near the ends and near the anchors are tried.
+# With more T-vertices only the splits near the ends, the anchors and the middle between the anchors are tried.
 ALL_SPLITS = 12
 _SPLITS_AT_ENDS = 5
 _HUB_GAPS = range(2, 9)
 _HUB_PLACES = (mpq(1, 2), mpq(3, 10), mpq(7, 10))
 _HUB_HEIGHTS = (mpq(7, 10), mpq(1, 2), mpq(4, 5))
+_A_LITTLE_BELOW = mpq(4, 5)
 
 
 def triangulate_one_sided(t_side: Sequence[Point], a: Point, b: Point, proper: bool = False,
@@ -78,6 +79,8 @@ def _candidates(frame: Frame, proper: bool) -> Iterator[Candidate]:
         yield from _centred(frame)
     elif m in _HUB_GAPS:
         yield from _hubs(frame)
+    if m > 1 and not proper:
+        yield _hub_between_fans(frame)
     if not proper and (below := nested_below(frame)) is not None:
         yield below
 
@@ -103,8 +106,8 @@ def _splits(frame: Frame) -> Iterator[Candidate]:
 def _split_places(frame: Frame) -> list[int]:
     m = len(frame.u) - 1
     places = {*range(_SPLITS_AT_ENDS), *range(m + 1 - _SPLITS_AT_ENDS, m + 1)}
-    for anchor in (frame.a, frame.b):
-        places.add(min(range(m + 1), key=lambda i: abs(frame.u[i] - anchor.x)))
+    for x in (frame.a.x, frame.b.x, (frame.a.x + frame.b.x) / 2):
+        places.add(min(range(m + 1), key=lambda i: abs(frame.u[i] - x)))
     return sorted(places)
 
 
@@ -135,6 +138,21 @@ def _hubs(frame: Frame) -> Iterator[Candidate]:
         for place in _HUB_PLACES:
             hub = Point(a.x + place * (b.x - a.x), height * (a.y + place * (b.y - a.y)))
             yield _star(indices, points, hub)
+
+
+def _hub_between_fans(frame: Frame) -> Candidate:
+    """Return a hub a little below the middle of A B, the outermost triangles left to the anchors if far out.
+
+    Where the anchors are very near to each other, and all T-vertices far out, no split is good.
+    """
+    a, b, m = frame.a, frame.b, len(frame.u) - 1
+    gaps = range(frame.u[1] < a.x, m - (frame.u[m - 1] > b.x))
+    points = frame.points()
+    indices = [*range(gaps.start, gaps.stop + 1), frame.right, frame.left]
+    star = _star(indices, [points[i] for i in indices], Point((a.x + b.x) / 2, _A_LITTLE_BELOW * (a.y + b.y) / 2))
+    fans = tuple(frame.fans(gaps))
+    value = min([star.value, *(height_squared(*(points[i] for i in face)) for face in fans)])
+    return Candidate(value, fans + star.faces, star.steiner)
 
 
 def _star(indices: list[int], points: list[Point], centre: Point) -> Candidate:
