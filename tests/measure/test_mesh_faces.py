@@ -4,17 +4,21 @@ import random
 from collections.abc import Callable
 
 import families
+import numpy as np
 import pytest
 from gmpy2 import mpq
 
 import exactmesh
 from exactmesh.geometry import fixed_point
 from exactmesh.geometry.decisions import decisions, forget
+from exactmesh.geometry.distance import distance_squared, segment_distance_squared
 from exactmesh.geometry.fixed_point import FixedPoints
 from exactmesh.geometry.point import Point
+from exactmesh.geometry.predicates import doubled_area
 from exactmesh.measure import mesh_faces as module
 from exactmesh.measure.face_feature import NotTriangle, corners_of, face_feature_squared
 from exactmesh.measure.mesh_faces import MeshFaces
+from exactmesh.numbers.rational import sqrt_below
 from exactmesh.planar.cycles import directed_edges
 from exactmesh.planar.mesh import Mesh
 from exactmesh.planar.pslg import Pslg
@@ -114,3 +118,86 @@ def test_exact_decisions_of_a_verification_grow_no_faster_than_the_mesh(family: 
         assert counts["orientation"].by_floats >= 3 * len(mesh.faces) - 10
         assert counts["least face feature"].exactly <= n
         assert counts["sweep orientation"].exactly <= n and counts["coincidence"].exactly == 0
+
+
+def triples(seed: int, spread: mpq) -> list[Point]:
+    """Return three points at a time: anywhere, nearly in line, or all near to each other, down to and below a unit."""
+    source = random.Random(seed)
+
+    def anywhere() -> Point:
+        return Point(mpq(source.randint(-3000, 3000), 3) * spread, mpq(source.randint(-3000, 3000), 7) * spread)
+
+    found = []
+    for _ in range(150):
+        a, b = anywhere(), anywhere()
+        share, hair = mpq(source.randint(-100, 600), 500), spread / mpq(10) ** source.randint(0, 33)
+        beside = Point(a.x + share * (b.x - a.x) + hair * source.randint(-9, 9) / 3,
+                       a.y + share * (b.y - a.y) + hair * source.randint(1, 9) / 3)
+        near = Point(a.x + hair, a.y - hair / 3)
+        found += [a, b, anywhere(), a, b, beside, a, near, Point(a.x - hair / 7, a.y + hair)]
+    return found
+
+
+def assert_enclosed(low: float, high: float, squared: mpq, unit: mpq) -> None:
+    assert low <= 0 or mpq(low) ** 2 * unit**2 <= squared
+    assert high == np.inf or (high >= 0 and squared <= mpq(high) ** 2 * unit**2)
+
+
+@pytest.mark.parametrize(("seed", "spread"), [(1, mpq(1)), (2, mpq(10) ** 40), (3, mpq(21, 10**30)), (4, mpq(21))])
+def test_bounds_of_heights_and_distances_contain_them_and_are_narrow(seed: int, spread: mpq) -> None:
+    points = triples(seed, spread)
+    if spread == 21:  # whole numbers: nothing is rounded down
+        points = [Point(mpq(int(p.x)), mpq(int(p.y))) for p in points]
+    columns = FixedPoints(points)
+    assert bool(columns.error) == (spread != 21)
+    rows = np.arange(len(points)).reshape(-1, 3)
+    faces = MeshFaces(columns, [tuple(row) for row in rows.tolist()])
+    height_low, height_high = faces._heights(rows)
+    near, far = faces._distances(rows[:, 2], rows[:, 0], rows[:, 1])
+    wide, infinite = 0, 0
+    for number, (i, j, k) in enumerate(rows.tolist()):
+        a, b, c = points[i], points[j], points[k]
+        if a in (b, c) or b == c:
+            continue
+        longest = max(distance_squared(a, b), distance_squared(b, c), distance_squared(c, a))
+        assert_enclosed(height_low[number], height_high[number], doubled_area(a, b, c) ** 2 / longest, columns.unit)
+        squared = segment_distance_squared(c, a, b)
+        assert_enclosed(near[number], far[number], squared, columns.unit)
+        length = float(sqrt_below(longest / columns.unit**2, 4))
+        assert far[number] - near[number] <= 2.0**-44 * length + 40 * columns.error
+        if length > 1000:
+            assert height_high[number] - height_low[number] <= 2.0**-44 * length + 60 * columns.error
+            wide += 1
+        infinite += height_high[number] == np.inf
+    assert wide >= 300 and (infinite > 0) == bool(columns.error)
+
+
+@pytest.mark.parametrize("move", MOVES)
+@pytest.mark.parametrize("name", MESHES)
+def test_bounds_of_faces_with_t_vertices_contain_their_features(name: str, move: str) -> None:
+    mesh = MESHES[name]
+    points = tuple(map(MOVES[move], mesh.vertices))
+    columns = FixedPoints(points)
+    faces = MeshFaces(columns, mesh.faces)
+    low, high = np.full(len(mesh.faces), np.inf), np.full(len(mesh.faces), np.inf)
+    faces._lower_by_t_vertices(low, high)
+    for number, cycle in enumerate(mesh.faces):
+        if len(cycle) == 3:
+            assert low[number] == high[number] == np.inf
+            continue
+        corners = corners_of(points, cycle)
+        assert not isinstance(corners, NotTriangle)
+        assert_enclosed(low[number], high[number], face_feature_squared(points, cycle, corners), columns.unit)
+        longest = max(distance_squared(points[u], points[v]) for u in cycle for v in cycle)
+        length = float(sqrt_below(longest / columns.unit**2, 4))
+        assert high[number] - low[number] <= 2.0**-44 * length + 40 * columns.error
+
+
+def test_edges_are_found_where_they_are_met_first() -> None:
+    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    sides = MeshFaces(FixedPoints(points), [(0, 1, 2), (), (2, 3, 0), (0, 1, 3)]).sides()
+    keys = np.array([0 * 4 + 1, 2 * 4 + 3, 1 * 4 + 0, 3 * 4 + 0, 15, 0])
+    assert sides.find(keys).tolist() == [0, 3, -1, 4, -1, -1]
+    assert (sides.repeated.tolist(), sides.owner.tolist()) == ([6, 8], [0, 4])
+    none = MeshFaces(FixedPoints(points), []).sides()
+    assert none.find(keys).tolist() == [-1] * 6
