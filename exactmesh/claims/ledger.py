@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from exactmesh.claims.ahead import verdicts_ahead
 from exactmesh.claims.claim import Claim, Judgement
+from exactmesh.claims.coarse import COARSE_CLAIMS
 from exactmesh.claims.elsewhere import ELSEWHERE_CLAIMS
 from exactmesh.claims.repaired import REPAIRED_CLAIMS
 from exactmesh.claims.result import RESULT_CLAIMS
@@ -21,11 +22,13 @@ _PLACES = (
 CLAIMS: tuple[Claim, ...] = tuple(sorted(
     (*ELSEWHERE_CLAIMS, *BOUNDARY_CLAIMS, *MESH_CLAIMS, *RESULT_CLAIMS, *REPAIRED_CLAIMS),
     key=lambda claim: _PLACES.index(claim.id.partition(".")[0])))
+# All that is judged on runs: also what is not claimed of all inputs.
+JUDGED: tuple[Claim, ...] = (*CLAIMS, *COARSE_CLAIMS)
 
 
 def claim_by_id(wanted: str) -> Claim:
     """Return the claim with the given id; raises `InputError` for an unknown one."""
-    for claim in CLAIMS:
+    for claim in JUDGED:
         if claim.id == wanted:
             return claim
     near = ", ".join(claim.id for claim in CLAIMS if wanted.split(".")[0] in claim.id) or "see `exactmesh claims`"
@@ -45,7 +48,7 @@ def judge_one(claim: Claim, run: Run) -> Judgement:
 def judge(run: Run) -> Iterator[Judgement]:
     """Yield the verdict on each claim of the run's construction in turn; `run.progress` is told its id beforehand."""
     ahead = verdicts_ahead(run, run.jobs)
-    for claim in CLAIMS:
+    for claim in JUDGED:
         if claim.check is not None and claim.concerns(run):
             run.progress(claim.id)
             with collector_paused():

@@ -17,6 +17,7 @@ from exactmesh.planar.faces import Subdivision, domain_of
 from exactmesh.planar.mesh import Kind, Mesh
 from exactmesh.planar.pslg import Pslg
 from exactmesh.repaired import Construction, construct
+from exactmesh.steps.balance import COARSE, REPAIRED
 from exactmesh.steps.edge_chains import Chains, Misplaced
 from exactmesh.steps.offset_check import check_thickness
 from exactmesh.steps.offset_curve import offset_curve
@@ -24,12 +25,15 @@ from exactmesh.steps.patch_check import PatchColumns, chains_of, check_feature
 from exactmesh.steps.records import OffsetCurve
 from exactmesh.steps.trapezoidation_check import check_gaps
 
-ConstructionName = Literal["repaired", "paper", "classic"]
+ConstructionName = Literal["repaired", "paper", "classic", "coarse"]
+# Constructions with the steps of the repaired one.
+REPAIRED_STEPS: tuple[ConstructionName, ...] = ("repaired", "coarse")
 
 
 # The paper's Theorem 3 leaves its construction to a sentence that is false of the Interior: there is nothing to run.
 KINDS_OF: dict[ConstructionName, tuple[Kind, ...]] = {
-    "repaired": ("nonproper", "proper", "internal"), "paper": ("nonproper", "proper"), "classic": ("classic",)}
+    "repaired": ("nonproper", "proper", "internal"), "paper": ("nonproper", "proper"), "classic": ("classic",),
+    "coarse": ("nonproper",)}
 _DEFAULTS = PaperOptions()
 
 
@@ -98,8 +102,9 @@ class Run:
 
     @cached_property
     def repaired(self) -> Construction:
-        """The repaired construction, step by step."""
-        return construct(self.subdivision, self.size.squared, self.progress, self.kind)
+        """The repaired construction, step by step, or the same in the coarse balance."""
+        balance = COARSE if self.construction == "coarse" else REPAIRED
+        return construct(self.subdivision, self.size.squared, self.progress, self.kind, balance)
 
     @cached_property
     def columns(self) -> Columns:
@@ -147,7 +152,7 @@ class Run:
         """The finished mesh."""
         if self.construction == "paper":
             return self.paper.mesh
-        if self.construction == "repaired":
+        if self.construction in REPAIRED_STEPS:
             return self.repaired.mesh
         self.progress("triangulation")
         return (optimal_classic_mesh(self.subdivision, self.progress) if self.optimal else
@@ -156,6 +161,6 @@ class Run:
     @cached_property
     def verification(self) -> Verification:
         """The verification of the mesh."""
-        mesh = self.mesh
+        mesh, nearest = self.mesh, self.mfs
         self.progress("verification")
-        return verify_mesh(self.subdivision, mesh)
+        return verify_mesh(self.subdivision, mesh, nearest)

@@ -17,7 +17,7 @@ def add(commands: Subparsers) -> None:
     command = commands.add_parser("hits", help="list, filter and export what searches have found")
     command.add_argument("store", metavar="FILE")
     command.add_argument("--claim", metavar="ID", help="only finds of this claim or objective")
-    command.add_argument("--construction", choices=("repaired", "paper", "classic"))
+    command.add_argument("--construction", choices=("repaired", "paper", "classic", "coarse"))
     command.add_argument("--label", choices=("violation", "record", "crash"))
     command.add_argument("--max-points", type=int, metavar="N")
     command.add_argument("--confirmed", action="store_true", help="only what the independent check agrees with")

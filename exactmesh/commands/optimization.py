@@ -34,8 +34,9 @@ def check_optimization(args: argparse.Namespace) -> None:
             raise InputError("--target and --time-limit are for --optimize")
     elif args.kind not in OPTIMIZED_KINDS:
         raise InputError(f"--optimize is for --kind {' and '.join(OPTIMIZED_KINDS)}")
-    elif args.construction == "paper":
-        raise InputError("--optimize starts from the repaired construction: it does not go with --construction paper")
+    elif args.construction not in (None, "repaired"):
+        raise InputError("--optimize starts from the repaired construction: it does not go with --construction "
+                         f"{args.construction}")
 
 
 def optimized(args: argparse.Namespace, run: Run) -> tuple[Meshing, str]:

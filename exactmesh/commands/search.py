@@ -21,7 +21,7 @@ def add(commands: Subparsers) -> None:
     """Add the command to a parser's."""
     command = commands.add_parser("search", help="search for an input on which a claim fails or comes closest")
     command.add_argument("claim", metavar="CLAIM", help=f"a claim, or an objective: {', '.join(OBJECTIVES)}")
-    command.add_argument("--construction", choices=("repaired", "paper", "classic"))
+    command.add_argument("--construction", choices=("repaired", "paper", "classic", "coarse"))
     command.add_argument("--kind", choices=KINDS)
     command.add_argument("--strategy", choices=[name for name in STRATEGIES if name != "inputs"], default="climb",
                          help="exhaustive: all lattice polygons; random: figures of a family; climb, anneal: local "

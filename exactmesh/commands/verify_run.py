@@ -22,7 +22,7 @@ def add(commands: Subparsers) -> None:
     command.add_argument("inputs", metavar="INPUT", nargs="+",
                          help="a file, a folder, a .jsonl file of one input a line, or family:NAME[:KEY=N,..]")
     command.add_argument("--claims", metavar="ID,..", default="all", help="claims and objectives (default: all)")
-    command.add_argument("--construction", choices=("repaired", "paper", "both"), default="repaired")
+    command.add_argument("--construction", choices=("repaired", "paper", "both", "coarse"), default="repaired")
     command.add_argument("--kind", choices=KINDS)
     command.add_argument("--count", type=positive, default=1000,
                          help="figures of each random family, in whole tasks of up to a hundred (default: 1000)")

@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from gmpy2 import mpq
 
-from exactmesh.claims.run import Run
+from exactmesh.claims.run import REPAIRED_STEPS, Run
 from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.measure.mfs import Nearest
@@ -41,7 +41,7 @@ _GRID_LINES = 90
 
 def step_names(run: Run) -> tuple[str, ...]:
     """Return the names of the steps of a run's construction, in order; the last is "mesh"."""
-    return tuple(_STEPS[run.construction])
+    return tuple(_steps_of(run))
 
 
 def steps_in_turn(run: Run) -> tuple[str, ...]:
@@ -220,8 +220,12 @@ _STEPS: dict[str, dict[str, tuple[str, Callable[[Run, View], Canvas]]]] = {
 }
 
 
+def _steps_of(run: Run) -> dict[str, tuple[str, Callable[[Run, View], Canvas]]]:
+    return _STEPS["repaired" if run.construction in REPAIRED_STEPS else run.construction]
+
+
 def _step(run: Run, step: str) -> tuple[str, Callable[[Run, View], Canvas]]:
-    steps = _STEPS[run.construction]
+    steps = _steps_of(run)
     if step not in steps:
         raise InputError(f"the {run.construction} construction has no step {step!r}; it has: {', '.join(steps)}")
     return steps[step]
@@ -237,7 +241,7 @@ def _grid(run: Run, view: View, q: Offset) -> Canvas:
     """Return a canvas with the input and the levels in the window, unless they are too many to see."""
     canvas = Canvas(view)
     # Heights are in units of the shape's own unit.
-    unit = run.repaired.shape.unit if run.construction == "repaired" else mpq(1)
+    unit = run.repaired.shape.unit if run.construction in REPAIRED_STEPS else mpq(1)
     step, shift = q.spacing * unit, q.shift
     first, last = (int(y / step - shift) for y in (view.low.y, view.high.y))
     if last - first <= _GRID_LINES:

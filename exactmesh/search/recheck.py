@@ -22,7 +22,7 @@ from types import TracebackType
 from typing import Any, NamedTuple, Self
 
 from exactmesh.certificate.files import certificate_text
-from exactmesh.claims.run import Run
+from exactmesh.claims.run import REPAIRED_STEPS, Run
 from exactmesh.errors import ConstructionFailed, InputError
 from exactmesh.geometry.point import Point
 from exactmesh.io.mesh_json import json_from_mesh
@@ -40,7 +40,7 @@ _ALL_PAIRS = 1500
 _VALIDITY = ("theorem-1.triangulation", "theorem-2.triangulation")
 _ON_MESH = ("theorem-1.feature-size", "theorem-1.degradation", "repaired.degradation", "repaired.proper-degradation",
             "degradation", "proper-degradation", "theorem-1.steiner-count", "repaired.steiner-count",
-            "steiner-per-vertex", *_VALIDITY)
+            "coarse.degradation", "coarse.steiner-count", "steiner-per-vertex", *_VALIDITY)
 
 
 class Answer(NamedTuple):
@@ -146,7 +146,7 @@ def _made(figure: Figure, run: Run, target: Target) -> Made:
         found |= {(min(side), max(side)) for cycle in value["faces"] for side in sides(tuple(cycle))}
         corners = points if figure.is_polygon else []
         return Made(points, edges, corners=corners, mesh=mesh, mesh_edges=sorted(found),
-                    corner_count=run.repaired.shape.corner_count if target.construction == "repaired" else 0)
+                    corner_count=run.repaired.shape.corner_count if target.construction in REPAIRED_STEPS else 0)
     if target.construction == "paper":
         return _made_by_paper(points, run)
     made = run.repaired

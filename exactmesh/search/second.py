@@ -94,13 +94,18 @@ def second_value(claim: str, made: Made) -> Value | None:
 
     Raises `ValueError` when what a step wrote down is not what it has to be.
     """
-    road = _ROADS.get(claim)
+    road = _ROADS.get(_name(claim))
     return None if road is None else road(made)
 
 
 def has_road(claim: str) -> bool:
     """Return whether there is a second road to the claim's value."""
-    return claim in _ROADS
+    return _name(claim) in _ROADS
+
+
+def _name(claim: str) -> str:
+    """Return the claim of the repaired construction that one of the coarse construction is a copy of."""
+    return claim.replace("coarse.", "repaired.", 1) if claim.startswith("coarse.") else claim
 
 
 def agree(value: Value, text: str) -> bool:

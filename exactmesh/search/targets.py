@@ -124,7 +124,7 @@ def _offset_edge(run: Run) -> Verdict:
 
 
 def _objective(name: str, says: str, bound: str, check: Callable[[Run], Verdict], kind: Kind = "nonproper",
-               runs: tuple[ConstructionName, ...] = ("repaired", "paper"), number: bool = False) -> Claim:
+               runs: tuple[ConstructionName, ...] = ("repaired", "paper", "coarse"), number: bool = False) -> Claim:
     return Claim(name, "objective", says, bound=bound, quantity="number" if number else "square", runs=runs,
                  check=check, kinds=(kind, "proper"))
 

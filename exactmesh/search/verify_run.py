@@ -5,7 +5,7 @@ import json
 import os
 from collections.abc import Iterable, Iterator, Sequence
 
-from exactmesh.claims.ledger import CLAIMS
+from exactmesh.claims.ledger import JUDGED
 from exactmesh.errors import InputError
 from exactmesh.io.pslg_json import json_from_pslg
 from exactmesh.io.read import read_pslg
@@ -26,7 +26,7 @@ def chosen_targets(claims: str, construction: str, kind: str | None) -> tuple[Ta
     Raises `InputError` for an unknown claim, or when nothing is left to judge.
     """
     wanted = ("repaired", "paper") if construction == "both" else (construction,)
-    names = [claim.id for claim in CLAIMS if claim.check] if claims == "all" else claims.split(",")
+    names = [claim.id for claim in JUDGED if claim.check] if claims == "all" else claims.split(",")
     found = []
     for name in names:
         claim = OBJECTIVES.get(name) or target_of(name).claim

@@ -67,13 +67,14 @@ def check_separation(offset: Offset) -> Verdict:
     return Verdict(len(offset.points), verdict.holds, verdict.worst, verdict.witness)
 
 
-def check_nesting(shape: Shape, offset: Offset, columns: Columns | None = None) -> Verdict:
+def check_nesting(shape: Shape, offset: Offset, columns: Columns | None = None, spacing: mpq = LEVEL) -> Verdict:
     """Return whether Q is a set of simple rings on levels, one a walk, turned like it and inside its face (I3).
 
     P, Q and one spoke a ring, from a corner of the walk to its vertex of Q, are checked to be a planar graph; the
-    spoke must leave the corner within its angle. A ring that crosses nothing of P is then inside the face.
+    spoke must leave the corner within its angle. A ring that crosses nothing of P is then inside the face. Levels are
+    `spacing` apart.
     """
-    height = {level: (level + mpq(1, 2)) * LEVEL for level in set(offset.level)}
+    height = {level: (level + mpq(1, 2)) * spacing for level in set(offset.level)}
     for k, point in enumerate(offset.points):
         if (point.x, point.y) != (offset.x[k], height[offset.level[k]]):
             return failed(k + 1, "vertices are on levels", vertex_of_q=k, at=str(point))

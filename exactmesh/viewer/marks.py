@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from gmpy2 import mpq
 
-from exactmesh.claims.run import Run
+from exactmesh.claims.run import REPAIRED_STEPS, Run
 from exactmesh.geometry.point import Point
 from exactmesh.numbers.rational import rational_from_text
 from exactmesh.planar.cycles import Cycle
@@ -48,7 +48,7 @@ class Places:
         self.q: Offset | None = None
         self.trapezoidation: Trapezoidation | None = None
         self.tube: PaperTube | None = None
-        if run is not None and run.construction == "repaired":
+        if run is not None and run.construction in REPAIRED_STEPS:
             self.q, self.trapezoidation = run.repaired.offset, run.repaired.trapezoidation
         elif run is not None and run.construction == "paper":
             self.q, self.trapezoidation, self.tube = run.paper.p4, run.paper.trapezoidation, run.paper.tube

@@ -7,7 +7,7 @@ from typing import TypeVar, get_args
 
 from gmpy2 import mpq
 
-from exactmesh.claims.run import ConstructionName
+from exactmesh.claims.run import REPAIRED_STEPS, ConstructionName
 from exactmesh.errors import FormatError
 from exactmesh.io.read import blaming, bytes_at
 from exactmesh.io.strict_json import Json, Number, described, parse_json
@@ -117,10 +117,10 @@ def _rational(value: object, place: str) -> mpq | None:
 
 def _unit(construction: ConstructionName | None, claims: tuple[Mapping[str, object], ...]) -> mpq | None:
     """Return the unit of points in witnesses: the repaired construction's is in the witness of its first claim."""
-    if construction != "repaired":
+    if construction not in REPAIRED_STEPS:
         return mpq(1)
     for claim in claims:
         witness = claim.get("witness")
-        if claim["id"] == "repaired.unit" and isinstance(witness, dict) and isinstance(witness.get("unit"), str):
-            return rational_from_text(witness["unit"], "claims: repaired.unit: witness.unit")
+        if claim["id"] == f"{construction}.unit" and isinstance(witness, dict) and isinstance(witness.get("unit"), str):
+            return rational_from_text(witness["unit"], f"claims: {construction}.unit: witness.unit")
     return None

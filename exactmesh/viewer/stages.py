@@ -67,7 +67,7 @@ def whole(pslg: Pslg | None, mesh: Mesh) -> Stages:
 def stages_of(run: Run) -> Stages:
     """Return the stages of a run; raises what its steps raise."""
     match run.construction:
-        case "repaired":
+        case "repaired" | "coarse":
             return Stages((_input(run.pslg), *_repaired(run), _finished(run.mesh)))
         case "paper":
             curve = _Curve(run.paper.curve, run.paper.shape.origin, len(run.mesh.vertices))

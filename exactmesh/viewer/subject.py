@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from gmpy2 import mpq
 
 from exactmesh.claims.ledger import judge
-from exactmesh.claims.run import ConstructionName, Run, construction_for
+from exactmesh.claims.run import REPAIRED_STEPS, ConstructionName, Run, construction_for
 from exactmesh.errors import InputError
 from exactmesh.geometry.point import Point
 from exactmesh.io.text import printable
@@ -48,7 +48,7 @@ class Subject:
 def subject_of_run(run: Run, title: str, with_steps: bool, with_claims: bool = True) -> Subject:
     """Return the mesh of a run, verified, with the verdicts on its claims; raises what the steps raise."""
     claims = tuple(claim_json(judgement.claim, judgement.verdict) for judgement in judge(run)) if with_claims else ()
-    unit = run.repaired.shape.unit if run.construction == "repaired" else mpq(1)
+    unit = run.repaired.shape.unit if run.construction in REPAIRED_STEPS else mpq(1)
     stages = stages_of(run) if with_steps else whole(run.pslg, run.mesh)
     return _of_verification(run.pslg, run.mesh, run.verification, claims, Places(run.mesh, run.pslg.edges, unit, run),
                             stages, title)
