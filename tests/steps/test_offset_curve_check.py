@@ -227,3 +227,17 @@ def test_verdicts_say_all_there_is_to_say():
         verdicts = [(f"{name}: {one.__name__}", one(*curve)) for name, curve in curves.items() for one in every]
         lines += verdicts + [(f"{number}: {one.__name__}", one(*harm(*good)))
                                           for number, (one, harm, _) in enumerate(HARMS)]
+
+
+@pytest.mark.parametrize("one, pslg", [(check.check_feature_size, L), (check.check_through_interior, SQUARE)])
+def test_a_hair_more_of_the_input_is_too_much_for_what_attains_its_bound(one, pslg):
+    shape, curve = made(pslg)
+    assert curve.mfs_squared == 1 and one(shape, curve).holds
+    assert not one(shape, replace(curve, mfs_squared=curve.mfs_squared + mpq(1, 10**40))).holds
+    assert one(shape, replace(curve, mfs_squared=curve.mfs_squared - mpq(1, 10**40))).holds
+
+
+@pytest.mark.parametrize("one", [check.check_octagon, check.check_through_interior])
+def test_other_worst_values_do_not_depend_on_size_either(one):
+    old, new = one(*made(L)), one(*made(families.scaled(L, mpq(7, 3))))
+    assert (old.worst, old.instances, old.holds) == (new.worst, new.instances, new.holds)

@@ -11,9 +11,11 @@ from recorded import recorded
 
 from exactmesh.claims.run import Run
 from exactmesh.geometry.point import Point
+from exactmesh.numbers.rational import sqrt_below
 from exactmesh.planar.cycles import sides
 from exactmesh.steps import paper_interior_check
 from exactmesh.steps.paper_interior_check import boundary, check_degradation, check_feature, check_tiling
+from exactmesh.steps.records import Trapezoid
 
 MADE = Run(families.l_shape(5), "paper").paper
 INSIDE, CHORDS = MADE.interior, MADE.trapezoidation
@@ -112,3 +114,29 @@ def test_verdicts_say_all_there_is_to_say():
                 (f"{name}: clean", check_feature(CHORDS, interior, points, MADE.p4.spacing, MADE.mfs_squared,
                                                  clean_only=True))]
         lines += verdicts
+
+
+@pytest.mark.parametrize("name", ["pentagon", "spike room", "growth 24", "turned comb", "star 24"])
+def test_good_tilings_pass_with_triangles_and_rows_of_t_vertices(name):
+    made = Run(families.ALL_SMALL[name], "paper").paper
+    verdict = check_tiling(made.p4, made.trapezoidation, made.interior, made.points)
+    assert verdict.holds and verdict.instances == len(made.interior.faces)
+
+
+def test_boundaries_run_counter_clockwise_and_an_apex_counts_once():
+    z = Trapezoid(0, 1, 0, 1, 1, 2, 3, 4, (5, 6), (7, 8, 9))
+    assert boundary(z) == (1, 5, 6, 2, 3, 9, 8, 7, 4)
+    assert boundary(replace(z, tr=4, top=())) == (1, 5, 6, 2, 4)
+    assert boundary(replace(z, br=1, bottom=())) == (1, 3, 9, 8, 7, 4)
+
+
+def test_size_changes_no_verdict():
+    made = Run(families.scaled(families.l_shape(5), 3), "paper").paper
+    assert made.mfs_squared == 9 * MADE.mfs_squared
+    old = check_feature(CHORDS, INSIDE, near(NEW, INSIDE.faces[0][0]), MADE.p4.spacing, MADE.mfs_squared)
+    points = tuple(Point(3 * p.x, 3 * p.y) for p in near(NEW, INSIDE.faces[0][0]))
+    new = check_feature(CHORDS, INSIDE, points, 3 * MADE.p4.spacing, 9 * MADE.mfs_squared)
+    assert (old.worst, old.holds, old.instances) == (new.worst, new.holds, new.instances) and not old.holds
+    at_bound = check_feature(CHORDS, INSIDE, points, 6 * sqrt_below(old.worst * MADE.mfs_squared, 90),
+                             9 * MADE.mfs_squared)
+    assert at_bound.holds
