@@ -26,7 +26,7 @@ LEAST = 95
 COPIED = ("exactmesh", "tests", "proofs_checks", "docs")
 
 ALGEBRAIC = ("tests/numbers/test_algebraic.py", "tests/numbers/test_root.py", "tests/numbers/test_number_details.py")
-COLUMNS = ("tests/geometry/test_balls.py", "tests/steps/test_patch_check.py", "tests/steps/test_offset_check.py")
+COLUMNS = ("tests/geometry/test_balls.py", "tests/geometry/test_point_columns.py")
 VALIDITY = ("tests/measure/test_validity.py", "tests/measure/test_verdict.py")
 PROOFS = ("tests/proofs/test_certificates.py", "tests/proofs/test_proof_details.py")
 STEPS = ("appendix_a", "lemma_1", "lemma_3", "mesh", "offset", "offset_curve", "p5", "paper_interior", "paper_tube",
