@@ -84,7 +84,7 @@ GROUP = "clean"
 THEOREMS = [Theorem(
     "repaired.interior-feature", "part", "trapezoids without T-vertices keep f* = g/5", tuple(s.id for s in STATEMENTS),
     "WLOG as in the script. If both sides have a good vertex, A2; otherwise A3. I2 and I5' are asserted on every run. "
-    "Faces with T-vertices are not covered.", "A2 with F for Fp leaves 0.0476")]
+    "Faces with T-vertices are in `repaired_interior`.", "A2 with F for Fp leaves 0.0476")]
 
 if __name__ == "__main__":
     main(GROUP, THEOREMS, STATEMENTS)

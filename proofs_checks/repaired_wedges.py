@@ -54,7 +54,7 @@ STATEMENTS = [*W1, *W2, *W3, *W4, *R1, *R2, *C, NO_RULE]
 GROUP = "wedges"
 THEOREMS = [Theorem(
     "repaired.interior-feature", "part", "wedges and cross edges keep f* = g/5", tuple(s.id for s in STATEMENTS),
-    "The split of a face with T-vertices into these pieces and one-sided quadrilaterals; the latter are not covered.",
+    "The split of a face with T-vertices into these pieces and one-sided quadrilaterals is in `repaired_interior`.",
     "W4 needs the rule for corners")]
 
 if __name__ == "__main__":

@@ -40,16 +40,13 @@ UNSETTLED = MappingProxyType({
     "theorem-3.triangulation": _RUN,
     "section-5.pieces": _SECTION_5,
     "section-5.pieces-many": _SECTION_5,
-    "repaired.interior-feature": (
-        "clean trapezoids, wedges and cross edges are proved; pieces with a short clean side, and the split into cases"
-        " by program, are not; no search found a face below the bound"),
     "repaired.tube-feature": (
         "strips with a parallel clean side are proved but for the last 8 percent, slanted ones are not; no search "
         "found a face below the bound"),
     "repaired.steiner-count": _SWEEP + "35 a corner (51 in a proper mesh) are asserted on every run",
     "repaired.degradation": (
-        "it is the least of its faces: as far as `repaired.interior-feature` and `repaired.tube-feature` are proved; "
-        "the worst of all searches is 21.5518"),
+        "it is the least of its faces, of which those of the Interior are proved and those of the Tube as far as "
+        "`repaired.tube-feature` is; the worst of all searches is 21.5518"),
     "repaired.internal-degradation": _WHOLE + "the worst of all searches is 22.04",
     "repaired.proper-degradation": _WHOLE + "the worst of all searches is 8.04 (1 + log2 n)",
 })

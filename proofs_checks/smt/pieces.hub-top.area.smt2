@@ -1,0 +1,10 @@
+; pieces.hub-top.area: A, hub, B: counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const t Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (>= (+ (* 1.0 D) (* (- (/ 599.0 464.0)) t)) 0.0))
+(assert (>= (* (- (/ 1.0 5.0)) D) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; pieces.hub-wide: a gap of w or more, the hub not more than itself and D/2 beside its end
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const W Real)
+(declare-const t Real)
+(declare-const v Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- (/ 375.0 116.0)) t)) 0.0))
+(assert (>= (+ (* (- 1.0) D) (* (/ 375.0 116.0) t)) 0.0))
+(assert (>= (* 1.0 v) 0.0))
+(assert (>= (+ (* (/ 1.0 2.0) D) (* 1.0 W) (* (- 1.0) v)) 0.0))
+(assert (> (+ (* 1.0 t t v v) (* (- (/ 16.0 25.0)) W W) (* (/ 16.0 25.0) t t)) 0.0))
+(check-sat)

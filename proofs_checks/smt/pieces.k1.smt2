@@ -1,0 +1,13 @@
+; pieces.k1: a gap of w or more, not more than 12/5 and itself from the anchor
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const t Real)
+(declare-const v Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- (/ 375.0 116.0)) t)) 0.0))
+(assert (>= (* 1.0 v) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- 1.0) v) (/ 12.0 5.0)) 0.0))
+(assert (> (+ (* 1.0 t t v v) (* (- 1.0) W W) (* 1.0 t t)) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; pieces.k2: a gap from p on, at F or more from the line of A and p: its other end; s is the length of A p
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const p Real)
+(declare-const s Real)
+(declare-const t Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (> (* 1.0 W) 0.0))
+(assert (> (* 1.0 s) 0.0))
+(assert (= (+ (* (- 1.0) p p) (* 1.0 s s) (- 1.0)) 0.0))
+(assert (>= (+ (* (- 1.0) p) (* 1.0 s)) 0.0))
+(assert (>= (+ (* (- (/ 599.0 464.0)) s t) (* 1.0 W)) 0.0))
+(assert (> (+ (* 2.0 W p t t) (* 1.0 W W t t) (* 1.0 p p t t) (* (- 1.0) W W) (* 1.0 t t)) 0.0))
+(check-sat)

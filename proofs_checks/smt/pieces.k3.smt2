@@ -1,0 +1,15 @@
+; pieces.k3: a gap at F or more from a leg that leans by 2 or more, not more than 2 and itself from the anchor
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const t Real)
+(declare-const v Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (> (* 1.0 W) 0.0))
+(assert (>= (+ (* 1.0 W W) (* (- (/ 1794005.0 215296.0)) t t)) 0.0))
+(assert (>= (+ (* (- 1.0) W) (* (/ 375.0 116.0) t)) 0.0))
+(assert (>= (* 1.0 v) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- 1.0) v) 2.0) 0.0))
+(assert (> (+ (* 1.0 t t v v) (* (- 1.0) W W) (* 1.0 t t)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; pieces.k5: a gap and D at F or more from a leg that leans inwards by r: the end of the gap before A
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const W Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (> (* 1.0 W) 0.0))
+(assert (> (* 1.0 D) 0.0))
+(assert (>= (+ (* (- (/ 358801.0 215296.0)) r r t t) (* 1.0 W W) (* (- (/ 358801.0 215296.0)) t t)) 0.0))
+(assert (>= (+ (* (- (/ 358801.0 215296.0)) r r t t) (* 1.0 D D) (* (- (/ 358801.0 215296.0)) t t)) 0.0))
+(assert (>= (+ (* (- 1.0) W) (* (/ 375.0 116.0) t)) 0.0))
+(assert (>= (* 1.0 r) 0.0))
+(assert (>= (+ (* (- 1.0) D) (* 1.0 W)) 0.0))
+(assert (> (+ (* (- 2.0) D W t t) (* (- 2.0) D r t t) (* 1.0 D D t t) (* 2.0 W r t t) (* 1.0 W W t t) (* 1.0 r r t t) (* (- 1.0) W W) (* 1.0 t t)) 0.0))
+(check-sat)

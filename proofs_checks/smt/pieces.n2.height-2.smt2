@@ -1,0 +1,18 @@
+; pieces.n2.height-2: T-vertex and its two apexes, heights 1/5 to 3/5: the height from corner 2
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const p Real)
+(declare-const q Real)
+(declare-const t Real)
+(declare-const v Real)
+(declare-const y Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (>= (+ (* 2.0 p) (* (- (/ 217.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 2.0 q) (* (- (/ 217.0 100.0)) t)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 3.0 5.0)) 0.0))
+(assert (>= (+ (* 1.0 v) (- (/ 1.0 5.0))) 0.0))
+(assert (>= (+ (* (- 1.0) v) (/ 3.0 5.0)) 0.0))
+(assert (> (+ (* 2.0 p q t t) (* (- 2.0) p q v y) (* 1.0 p p t t) (* (- 1.0) p p v v) (* 1.0 q q t t) (* (- 1.0) q q y y) (* (- 2.0) t t v y) (* 1.0 t t v v) (* 1.0 t t y y)) 0.0))
+(check-sat)

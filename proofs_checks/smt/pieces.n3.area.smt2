@@ -1,0 +1,17 @@
+; pieces.n3.area: (A, E, a), a on A-f beyond f/2: counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const t Real)
+(declare-const x Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (>= (+ (* 1.0 e) (- 1.0)) 0.0))
+(assert (> (+ (* (- 1.0) e) (* 1.0 f)) 0.0))
+(assert (>= (+ (* (- 2.0) e f) (* 1.0 f f) (/ 4.0 25.0)) 0.0))
+(assert (>= (+ (* 2.0 x) (- 1.0)) 0.0))
+(assert (>= (+ (* (- 1.0) x) 1.0) 0.0))
+(assert (>= (+ (* 1.0 f x) (* (- 1.0) e) (* (- (/ 217.0 100.0)) t)) 0.0))
+(assert (>= (+ (* (/ 4.0 5.0) e x) (* (- (/ 4.0 5.0)) f x)) 0.0))
+(check-sat)

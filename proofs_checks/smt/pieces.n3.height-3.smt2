@@ -1,0 +1,17 @@
+; pieces.n3.height-3: (A, E, a), a on A-f beyond f/2: the height from corner 3
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const e Real)
+(declare-const f Real)
+(declare-const t Real)
+(declare-const x Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (>= (+ (* 1.0 e) (- 1.0)) 0.0))
+(assert (> (+ (* (- 1.0) e) (* 1.0 f)) 0.0))
+(assert (>= (+ (* (- 2.0) e f) (* 1.0 f f) (/ 4.0 25.0)) 0.0))
+(assert (>= (+ (* 2.0 x) (- 1.0)) 0.0))
+(assert (>= (+ (* (- 1.0) x) 1.0) 0.0))
+(assert (>= (+ (* 1.0 f x) (* (- 1.0) e) (* (- (/ 217.0 100.0)) t)) 0.0))
+(assert (> (+ (* (/ 32.0 25.0) e f x x) (* 1.0 e e t t) (* (- (/ 16.0 25.0)) e e x x) (* (- (/ 16.0 25.0)) f f x x) (* (/ 16.0 25.0) t t)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; pieces.n5.height-2: fan to 0 <= u <= 2: the height from corner 2
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const m Real)
+(declare-const t Real)
+(declare-const u Real)
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 1.0 5.0)) 0.0))
+(assert (> (* 1.0 m) 0.0))
+(assert (>= (+ (* 1.0 a m) (- (/ 2.0 5.0))) 0.0))
+(assert (>= (+ (* (- 1.0) a m) (/ 4.0 5.0)) 0.0))
+(assert (>= (* 1.0 u) 0.0))
+(assert (>= (+ (* (- 1.0) u) 2.0) 0.0))
+(assert (>= (+ (* 1.0 a) (* (- (/ 1.0 2.0)) u) (- 1.0)) 0.0))
+(assert (>= (+ (* 2.0 a) (* (- (/ 217.0 100.0)) t) (* (- 2.0) u)) 0.0))
+(assert (> (+ (* 1.0 a a m m t t) (* (- 1.0) a a m m u u) (* 2.0 a a m u) (* 1.0 a a t t) (* (- 1.0) a a)) 0.0))
+(check-sat)
