@@ -1,14 +1,14 @@
 """Prove what Section 2 says of the clean Interior and of the snapped Tube: `section-2.clean-interior-feature-size`,
 `phase-1.snapped-angle`, `phase-1.fan-value`, `phase-2.projection`, `phase-2.q-prime-feature-size`,
-`phase-2.side-triangles`, `phase-3.feature-size`, `phase-4.spacing`, `phase-4.longer-side`; in part
-`phase-2.lower-feature-size`.
+`phase-2.lower-feature-size`, `phase-2.side-triangles`, `phase-3.feature-size`, `phase-4.spacing`,
+`phase-4.longer-side`.
 
 Given   mfs(P) = 1 but for the clean Interior. r <= n is the spacing of the grid, n = 2/21, or 3/34 if d3 = 4 sqrt 2;
         vertices move by m <= 1/(4 d3) <= s/8, s = sin(pi/8): by r/2 up or down, and by 2^-17 to the side. P and P4
         keep 1/(4 sqrt 2) - s/8 (both readings: 1/(4 d3) is less with d3 = 4 sqrt 2), and also r.
         Rectangle: a is the origin, T' runs along y = 0 to b = (w,0), w >= 2 r, as there is a vertex between; P is
-        below; a' = (0,-D), b' = (w,-D), 1/4 - n less a millionth <= D <= 1/4 - n. The corner L of P beside a is (-u,y),
-        with u > 0 and u >= |y|: an angle of 135 degrees or more; R beside b is (x2,y2), x2 > w.
+        below; a' = (0,-D), b' = (w,-D), D <= (1/4 - n)(1 - 2^-26), less by a millionth at most. The corner L of P
+        beside a is (-u,y), u > 0 and u >= |y|: an angle of 135 degrees or more; R beside b is (x2,y2), x2 > w.
 Claim   angles: fans have a sine of 1/4 or more, other edges at spokes 7/25. rectangle: its corners are in Q', and Q'
         keeps r, the triangles beside R r/2, those at the vertex below R r/4 less a millionth. spacing: neighbours on a
         top are r apart, |a b| >= |a a'|. clean Interior: trapezoids without T-vertices keep r, triangles r/2.
@@ -38,7 +38,7 @@ from exactmesh.proofs.certificate import Constraint
 from exactmesh.proofs.polynomial import Polynomial, variables
 
 S, C, s, q, bx, by, ex, ey = variables("S C s q bx by ex ey")
-u, w, x, x2, y, y2, D, r, n, h, v, B, c, e, p, d, k = variables("u w x x2 y y2 D r n h v B c e p d k")
+u, w, x, x2, y, y2, D, r, n, h, v, B, c, e, p, d, k, m = variables("u w x x2 y y2 D r n h v B c e p d k m")
 HALF_STEP, ASIDE = mpq(1, 21), mpq(1, 2**17)
 LESS_A_MILLIONTH = 1 - mpq(1, 10**6)
 DEEP = (mpq(1, 4) - mpq(2, 21)) * LESS_A_MILLIONTH
@@ -136,6 +136,10 @@ TILTED = (at_least(1, c * c + e * e), at_least(c * c + e * e, 1), at_least(c, LE
           at_least(TILT, e), at_least(e, -TILT))
 # From here in units of n: B from (0,0) to (B,0), a' = (p,k), b' = (p + 2 d,h), s = (p + d,v).
 FLOOR = mpq(1, 2) - mpq(1, 10**8)
+# What a rectangle's height is less by, and what it saves below.
+DEPTH = 1 - mpq(1, 2**26)
+SLACK = (mpq(1, 4) - mpq(2, 21)) * (1 - DEPTH)
+LEAST_STEP = mpq(3, 34) * (1 - mpq(1, 10**9))
 MORE = mpq(1, 10**8) + mpq(1, 10**16)  # (1/2 + 10^-8)^2 - 1/4
 QUARTER = mpq(1, 4)
 KEPT = QUARTER * LESS_A_MILLIONTH
@@ -159,6 +163,15 @@ LOW_VERTEX = [
             Hint(given={"kind": "combination", "equalities": [], "terms": [
                 ["1", [3], None], ["1/4", [1, 1], None], ["1/2", [1, 2], None], [str(MORE), [0, 0], None],
                 [str(MORE * mpq(3, 17)), [0], None], [str(MORE * mpq(3, 34)**2 - ASIDE**2), [], None]]})),
+    states("tube.sinks", "they are together at most r/2 and a bit, SLACK",
+           (at_least(r, LEAST_STEP), at_least(m), at_least(r * r / 4 + ASIDE**2, m * m)), at_least(r / 2 + SLACK, m),
+           Hint(given={"kind": "combination", "equalities": [], "terms": [
+               ["1", [2], None], ["1", [3, 3], None], [str(2 * SLACK + LEAST_STEP), [3], None], ["1", [0, 3], None],
+               [str(SLACK), [0], None], [str(SLACK**2 + SLACK * LEAST_STEP - ASIDE**2), [], None]]})),
+    states("tube.height", "so that a' and b', D below, are r/2 above B",
+           (at_least(r / 2 + SLACK, m), at_least((mpq(1, 4) - n) * DEPTH, D), at_least(n, r), at_least(mpq(2, 21), n)),
+           at_least(mpq(1, 4) - m - D, r / 2), Hint(given={"kind": "combination", "equalities": [], "terms": [
+               ["1", [0], None], ["1", [1], None], ["1", [2], None], [str(1 - DEPTH), [3], None], ["1", [4], None]]})),
     bounded("tube.levelled", "a sine of 0.3315 or less has a cosine of 0.943 or more, and half of 2 n of it 9/10 n",
             (at_least(c * c + e * e, 1), at_least(TILT, e), at_least(e, -TILT), more(c)),
             lambda f: at_least(c, LEVELLED * mpq(f)), Hint(degrees=(2, 3))),
@@ -241,11 +254,11 @@ THEOREMS = [
             IN_THE_FRAME + "L is 0.1289 or more from a, which is on P4; r/2 <= 1/21 and D is as in the script, with "
             "d3 = 4 sqrt 2 D is more. The triangle beside b is the mirror image.",
             "not tight: 1.12 times the bound, and that only with L on the other side of the line of T'"),
-    Theorem("phase-2.lower-feature-size", "part", "mfs(Q'') is at least half the spacing, less 10^-8 of it", (
-            *names(LOW_VERTEX[:3], UPPER, PROJECTION), *TURNS), IN_THE_FRAME + LOWERED + "Edges of Q'' that do not "
-            "meet are L R and a' b', and the two at L and R, which are 1.8 n apart along B. Missing are 10^-8 of the "
-            "spacing: abscissae are rounded by up to 2^-17 mfs, which adds to the motion across a slanted B.",
-            "half the spacing, less what rounding costs: a horizontal edge, vertices half way between levels"),
+    Theorem("phase-2.lower-feature-size", "claim", "mfs(Q'') is at least half the spacing", (
+            *names(LOW_VERTEX[:5], UPPER, PROJECTION), *TURNS), IN_THE_FRAME + LOWERED + "In fact they are r/2 above "
+            "it, as D is less than 1/4 - n by one part in 2^26. Edges of Q'' that do not meet are L R and a' b', and "
+            "the two at L and R, which are 1.8 n apart along B.",
+            "half the spacing: a horizontal edge, vertices half way between levels"),
     Theorem("phase-3.feature-size", "claim", "faces at the vertex of Q'' keep a quarter of the spacing, less a "
             "millionth", (*names(LOW_VERTEX), *names(PROJECTION), *TURNS), IN_THE_FRAME + LOWERED + "The vertex "
             "s is v above the middle between the feet of a' and b', v at most n/4 and less by one part in 2^22 at "

@@ -30,9 +30,6 @@ UNSETTLED = MappingProxyType({
     "table-1.proper": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "table-1.nonproper": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "table-1.internal": _WHOLE + "`exactmesh reproduce table1` shows the growth",
-    "phase-2.lower-feature-size": (
-        "proved but for 10^-8 of the spacing, which is what rounding abscissae by 2^-17 mfs may cost where a nearly "
-        "level edge snaps by almost half the grid; it holds on all instances"),
     "theorem-2.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.proper-degradation`)"),
     "theorem-3.degradation": (

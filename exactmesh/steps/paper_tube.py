@@ -43,6 +43,9 @@ Tall = Literal["lemma-1", "low"]
 Filling = Literal["nested", "layers"]
 _RATIO_BITS = 24
 _OFFSET = mpq(1, 4)
+# The height of a rectangle is less than the paper's by this factor: what is below keeps half of the spacing although
+# snapping rounds abscissae as well.
+_DEPTH = 1 - mpq(1, 2**26)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +130,7 @@ class _Tube:
         place = self.mesh.points
         a, b = place[top[0]], place[top[-1]]
         along = minus(b, a)
-        depth = self._below(_OFFSET - self.options.granularity, dot(along, along))
+        depth = self._below(_DEPTH * (_OFFSET - self.options.granularity), dot(along, along))
         down = Point(depth * along.y, -depth * along.x)
         a_below = self.mesh.add(Point(a.x + down.x, a.y + down.y))
         b_below = self.mesh.add(Point(b.x + down.x, b.y + down.y))

@@ -26,8 +26,8 @@ NESTED = sqrt(2 - sqrt(2))
 # The exact worst value of each refuted claim on its witness; squares where the claim's quantity is one.
 WORST: dict[str, mpq | Real | None] = {
     "lemma-1.side-distance": mpq(1, 4),
-    "lemma-3.hypothesis": mpq(142554310831321, 281474976710656),
-    "lemma-3.teeth-distance": mpq(1104778172720500, 1359850981778501),
+    "lemma-3.hypothesis": mpq(35638571738025, 70368744177664),
+    "lemma-3.teeth-distance": mpq(1380972683958628, 1699813655353633),
     "lemma-3.feature-size": mpq(77343068406735760, 92341381820842009),
     "section-2.p6-degradation": mpq(540225, 258760996),
     "section-2.interior-feature-size": mpq(516308182762155727153019594445, 9619089630079387706552634365181952),
