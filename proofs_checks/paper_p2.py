@@ -4,7 +4,8 @@
 
 Given   mfs(P) = 1. At a corner the edge e runs from p = (0,0) along the x-axis, P above it; e' is its parallel at 1/4.
         Convex corner: the other edge f leaves in the direction (k^2 - 1, 2 k)/(k^2 + 1), k = cot(w/2), w the angle; e'
-        begins at (k/4, 1/4); a straight corner has k = 0. f is 1 long or longer, and (k^2 + 1)/(2 k) where w is acute (Appendix A).
+        begins at (k/4, 1/4); a straight corner has k = 0. f is 1 long or longer, and (k^2 + 1)/(2 k) where w is acute
+        (Appendix A).
         Reflex corner: f is below the x-axis. An arc about p goes from (0,1) to the unit normal (c,d) of the other edge,
         both divided by 4; s, c are the sine and cosine of its angle.
 Claim   corner: (y, 1/4) is 1/4 or more from the line of f iff y >= k/4, and nearer than 1/4 to f for 0 <= y < k/4.
@@ -108,7 +109,8 @@ THEOREMS = [
             "edges that meet e or v are 1/4 away or more by the problems. So x is at distance 1/4, inside, as nothing "
             "is between it and a, and in no two parts but at their common end. Conversely, let x in P be at distance "
             "1/4 from a on its boundary. If a is inside an edge e, x is in e', as it would be nearer to the edge next "
-            "to e. If a is a vertex, x is at 90 degrees or more to both edges, so a is reflex and x in its arc.", "the distance is 1/4 throughout"),
+            "to e. If a is a vertex, x is at 90 degrees or more to both edges, so a is reflex and x in its arc.",
+            "the distance is 1/4 throughout"),
     Theorem("section-2.arc-below-180", "claim", "the cosine of an arc's angle is above -1", names(ARC[:1]), SIMPLE +
             "The arc goes from one normal to the other, turned so that the first is (1,0).", "180 degrees is the "
             "limit"),
