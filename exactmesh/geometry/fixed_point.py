@@ -260,8 +260,9 @@ def _split(values: Sequence[mpq], bits: int) -> tuple[Floats, Floats]:
     origin = (least.numerator << up) // (least.denominator << down)
     rest = iter(values)
     for part in stretches(len(values)):
-        whole = [(v.numerator << up) // (v.denominator << down) - origin for v in islice(rest, part.stop - part.start)]
-        words = np.frombuffer(b"".join([int(w).to_bytes(16, "little") for w in whole]), "<u8").reshape(-1, 2)
+        whole = [((v.numerator << up) // (v.denominator << down) - origin).to_bytes(16, "little")
+                 for v in islice(rest, part.stop - part.start)]
+        words = np.frombuffer(b"".join(whole), "<u8").reshape(-1, 2)
         high[part] = ((words[:, 1] << np.uint64(64 - _LOW)) | (words[:, 0] >> np.uint64(_LOW))).astype(np.float64)
         low[part] = (words[:, 0] & np.uint64(2**_LOW - 1)).astype(np.float64)
     high *= 2.0**_LOW

@@ -110,6 +110,9 @@ class _Search:
         self.off = 4 * (self.columns.error + float(blur / self.columns.unit))
         self.tiny = _TINY * max((float(column.max()) for column in self.columns.rounded()), default=0.0)
         self.a, self.b = problem.places.T
+        # By feature, so that what is looked at together lies together: the ends, and the vectors between them.
+        self.ends = tuple(self._columns(place) for place in (self.a, self.b))
+        self.along = self.columns.differences(self.a, self.b)
         self.reach = reach
         self.compared = 0
         self.found: list[tuple[Floats, Ints, Ints]] = []
@@ -119,7 +122,7 @@ class _Search:
         real = self.problem.ends[:, 0] != self.problem.ends[:, 1]
         if self.problem.places is self.problem.ends and real.any():
             # The two ends of an edge are a vertex-vertex pair, so an edge's length bounds the answer.
-            length = np.hypot(*self.columns.differences(self.a[real], self.b[real]))
+            length = np.hypot(*self.along)[real]
             self.reach = float(length.min()) * (1 + _RELATIVE) + self.off
         count = len(self.problem.label)
         cells = self._cells(np.arange(count), np.array([0]), np.array([count]))
@@ -191,9 +194,9 @@ class _Search:
     def _is_near(self, cells: _Cells, cell: Ints, feature: Ints) -> Bools:
         """Return whether the feature may come within reach of the box: no axis of three separates them."""
         # Finite, so that it may be multiplied by a length of 0.
-        centre, reach = cells.middle[cell], min(self.reach, _FARTHEST) + self.off
-        start = self.columns.differences(centre, self.a[feature])
-        end = self.columns.differences(centre, self.b[feature])
+        reach = min(self.reach, _FARTHEST) + self.off
+        centre = [column[cell] for column in self._columns(cells.middle)]
+        start, end = (_differences(centre, [column[feature] for column in ends]) for ends in self.ends)
         near: Bools = np.ones(len(cell), np.bool_)
         for axis in (0, 1):
             high, low = cells.high[axis][cell] + reach, cells.low[axis][cell] - reach
@@ -201,8 +204,8 @@ class _Search:
             near &= least - high <= _RELATIVE * (np.abs(least) + np.abs(high))
             near &= low - most <= _RELATIVE * (np.abs(most) + np.abs(low))
         some = np.flatnonzero(near)
-        cell, feature, centre = cell[some], feature[some], centre[some]
-        dx, dy = self.columns.differences(self.a[feature], self.b[feature])
+        cell, feature = cell[some], feature[some]
+        dx, dy = (column[feature] for column in self.along)
         mx, my = (((cells.low[axis] + cells.high[axis]) / 2)[cell] for axis in (0, 1))
         hx, hy = (((cells.high[axis] - cells.low[axis]) / 2)[cell] for axis in (0, 1))
         limit = (np.abs(dx) * hy + np.abs(dy) * hx + reach * np.hypot(dx, dy)) * (1 + _RELATIVE)
@@ -210,12 +213,17 @@ class _Search:
         near[some] = beside - off <= limit
         unsure = np.flatnonzero((beside - off <= limit) & (beside + off > limit))
         if unsure.size:
-            rx, ry, error = self._refined(centre[unsure], feature[unsure])
+            rx, ry, error = self._refined(cells.middle[cell[unsure]], feature[unsure])
             dx, dy = dx[unsure], dy[unsure]
             beside, off = _beside(dx, dy, mx[unsure], my[unsure], rx, ry)
             off += error * (np.abs(dx) + np.abs(dy))
             near[some[unsure]] = beside - off <= limit[unsure]
         return near
+
+    def _columns(self, places: Ints) -> list[Floats]:
+        """Return the columns of some points."""
+        c = self.columns
+        return [column[places] for column in (c.x_high, c.x_low, c.y_high, c.y_low)]
 
     # --- distances ---
 
@@ -229,8 +237,8 @@ class _Search:
         free = (problem.ends[feature] != problem.label[vertex][:, None]).all(axis=1)
         vertex, feature = vertex[free], feature[free]
         self.compared += len(vertex)
-        (wx, wy), (dx, dy) = (columns.differences(self.a[feature], vertex),
-                              columns.differences(self.a[feature], self.b[feature]))
+        wx, wy = columns.differences(self.a[feature], vertex)
+        dx, dy = (column[feature] for column in self.along)
         t = _foot(wx, wy, dx, dy)
         distance = np.hypot(wx - t * dx, wy - t * dy)
         off = _ROUNDED * (np.abs(wx) + np.abs(wy) + np.abs(dx) + np.abs(dy))
@@ -320,6 +328,12 @@ class _Search:
         self.reach = min(self.reach, max(inner.reach * ratio, _LEAST_REACH))
         distance, vertex, number = inner._near()
         self.found.append((distance * ratio, vertex, number))
+
+
+def _differences(origin: Sequence[Floats], target: Sequence[Floats]) -> Vectors:
+    """Return the vectors from points to others, given by their columns, as `FixedPoints.differences` does."""
+    x_high, x_low, y_high, y_low = origin
+    return (target[0] - x_high) + (target[1] - x_low), (target[2] - y_high) + (target[3] - y_low)
 
 
 def _foot(wx: Floats, wy: Floats, dx: Floats, dy: Floats) -> Floats:

@@ -86,12 +86,15 @@ class Verification:
         return self.input_ifs.squared / self.mesh_ifs.squared
 
 
-def verify_mesh(subdivision: Subdivision, mesh: Mesh) -> Verification:
-    """Return whether `mesh` is a valid mesh of its kind of the domain of `subdivision`, and its exact feature size."""
+def verify_mesh(subdivision: Subdivision, mesh: Mesh, input_mfs: Nearest | None = None) -> Verification:
+    """Return whether `mesh` is a valid mesh of its kind of the domain of `subdivision`, and its exact feature size.
+
+    To give the input's `minimum_feature_size`, where it is known, saves the search for it.
+    """
     pslg = subdivision.pslg
     judge = _Judge(subdivision, mesh)
     judge.run()
-    input_mfs = minimum_feature_size(pslg)
+    input_mfs = input_mfs or minimum_feature_size(pslg)
     mesh_mfs = None if judge.violations else _mesh_mfs(subdivision, mesh, input_mfs, judge)
     steiner = len(mesh.vertices) - len(pslg.vertices)
     input_ifs = internal_feature_size(subdivision) if mesh.kind == "internal" and not judge.violations else None
