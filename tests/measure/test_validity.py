@@ -665,3 +665,15 @@ def test_an_internal_mesh_may_lack_an_input_vertex() -> None:
     square = case(SQUARE, cycle(4), [], ((0, 1, 2),), "internal")
     found = square.with_mesh(vertices=square.mesh.vertices[:3]).verify()
     assert violated(found, "input-edge") == [{"edge": [2, 3]}, {"edge": [3, 0]}]
+
+
+def test_a_corner_of_the_domain_without_a_face_is_unused() -> None:
+    found = case(SQUARE, cycle(4), [], ((0, 1, 2),), "proper").verify()
+    assert violated(found, "unused-vertex") == [{"vertex": 3}]
+
+
+def test_where_nothing_is_lost_the_witness_is_the_input_s() -> None:
+    reverse = [(v, u) for u, v in cycle(3)]
+    found = case([(0, 0), (4, 0), (1, 3)], reverse, [], ((0, 1, 2),), "classic").verify()
+    assert found.valid and found.degradation_squared == 1 and found.mesh_mfs == found.input_mfs
+    assert found.mesh_mfs is not None and tuple(found.mesh_mfs.feature) in reverse
