@@ -132,10 +132,10 @@ def _cut(trapezoids: Sequence[Trapezoid], outlines: Sequence[Sequence[int]], fee
     return cut
 
 
-def check_candidates(gaps: int) -> Counter[str]:
-    """Return how many candidates there were of each kind; raises `AssertionError` where sides do not add up, or where a
-    face of a positive one does not turn left."""
-    seen: Counter[str] = Counter()
+def check_candidates(gaps: int) -> Counter[tuple[bool, int, int]]:
+    """Return how many candidates there were, by whether they are proper, the number of gaps and that of new vertices;
+    raises `AssertionError` where sides do not add up, or where a face of a positive one does not turn left."""
+    seen: Counter[tuple[bool, int, int]] = Counter()
     for lengths in (some for n in range(1, gaps + 1) for some in product((1, 5), repeat=n)):
         u = [mpq(sum(lengths[:i])) for i in range(len(lengths) + 1)]
         t_side = [Point(p, mpq(0)) for p in u]
@@ -145,8 +145,7 @@ def check_candidates(gaps: int) -> Counter[str]:
             outline = [*range(len(u)), frame.right, frame.left]
             for candidate in _candidates(frame, proper):
                 assert boundary(candidate.faces) == boundary([outline]), candidate
-                new = len(candidate.steiner)
-                seen[f"{'proper' if proper else 'nonproper'}, {new} new"] += 1
+                seen[proper, len(lengths), len(candidate.steiner)] += 1
                 if candidate.value > 0:
                     # New vertices from the last to the first, so that -1 - i counts from the end.
                     points = (*frame.points(), *reversed(candidate.steiner))
@@ -279,6 +278,6 @@ THEOREMS = [
 ]
 
 if __name__ == "__main__":
-    print(*(f"{check_trapezoids(PLACES, proper)} trapezoids" for proper in (False, True)), check_candidates(GAPS),
-          f"{tube_blocks()} rings", sep="\n")
+    print(*(f"{check_trapezoids(PLACES, proper)} trapezoids" for proper in (False, True)),
+          f"{sum(check_candidates(GAPS).values())} candidates", f"{tube_blocks()} rings", sep="\n")
     main(GROUP, THEOREMS, STATEMENTS)

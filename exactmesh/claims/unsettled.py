@@ -40,7 +40,6 @@ UNSETTLED = MappingProxyType({
     "repaired.tube-feature": (
         "strips with a parallel clean side are proved but for the last 8 percent, slanted ones are not; no search "
         "found a face below the bound"),
-    "repaired.steiner-count": _SWEEP + "35 a corner (51 in a proper mesh) are asserted on every run",
     "repaired.degradation": (
         "it is the least of its faces, of which those of the Interior are proved and those of the Tube as far as "
         "`repaired.tube-feature` is; the worst of all searches is 21.5518"),

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from gmpy2 import mpq
 
 import exactmesh
 from exactmesh.steps.interior import triangulate_interior
@@ -98,5 +99,27 @@ class TestTilings:
         tilings = scripts("repaired_tilings")
         seen = tilings.check_candidates(3)
         # Splits, hubs or centres and one apex, two and three apexes; rows of three, two and one in a proper mesh.
-        assert {"nonproper, 0 new", "nonproper, 1 new", "nonproper, 3 new", "proper, 6 new"} <= set(seen)
+        assert {(False, 3, 0), (False, 3, 1), (False, 3, 2), (False, 3, 3), (True, 3, 6)} <= set(seen)
         assert tilings.tube_blocks() == 25 + 125 + 625 + 1
+
+
+class TestCount:
+    def test_charges(self, scripts: Any) -> None:
+        count = scripts("repaired_count")
+        assert count.charges(False) == {1: 12, 2: 20, 3: 23, 4: 31, 5: 34, 8: 34}
+        assert max(count.charges(True).values()) == mpq(455, 9) < 51
+
+    def test_pieces_of_all_small_trapezoids_have_few_gaps(self, scripts: Any) -> None:
+        assert scripts("repaired_count").check_pieces(5) == 615
+
+    def test_candidates_have_few_new_vertices(self, scripts: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+        count = scripts("repaired_count")
+        assert count.check_new_vertices(2) > 5
+        monkeypatch.setattr(count, "check_candidates", lambda gaps: {(False, 2, 3): 1})
+        with pytest.raises(AssertionError):
+            count.check_new_vertices(2)
+
+    def test_rows_over_gaps(self, scripts: Any) -> None:
+        layers_of = scripts("repaired_count").layers_of
+        assert [layers_of(n) for n in (1, 2, 3, 5, 9)] == [1, 3, 6, 11, 20]
+        assert all(9 * layers_of(n) <= 20 * n for n in range(1, 3000))
