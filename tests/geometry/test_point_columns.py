@@ -8,6 +8,7 @@ import pytest
 from gmpy2 import mpq
 from test_balls import assert_contained
 
+from exactmesh.geometry import face_columns
 from exactmesh.geometry.columns import Columns, Rows, column_of, columns_of, indices
 from exactmesh.geometry.decisions import Count, decisions, forget
 from exactmesh.geometry.distance import distance_squared, segment_distance_squared
@@ -139,3 +140,45 @@ def test_faces_are_those_found_one_by_one(cycles: list[tuple[int, ...]]) -> None
         assert found_sides is not None
         assert [divmod(key, len(GRID)) for key in found_sides.tolist()] == sorted(
             side for side in sides if side[::-1] not in set(sides))
+
+
+@pytest.mark.parametrize("chunk", [1, 3, 1 << 13])
+def test_features_of_faces_with_t_vertices(chunk: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(face_columns, "CHUNK", chunk)
+    source = random.Random(4)
+    at: list[Point] = []
+    cycles: list[tuple[int, ...]] = []
+    while len(cycles) < 60:
+        corners = [Point(mpq(source.randint(-50, 50), 3), mpq(source.randint(-50, 50))) for _ in range(3)]
+        if orientation(*corners) <= 0:
+            continue
+        run = []
+        for p, q in zip(corners, corners[1:] + corners[:1], strict=True):
+            parts = sorted(source.sample([1, 50, 500, 501, 950, 999], source.randint(0, 2)))
+            run += [Point(p.x + (q.x - p.x) * t / 1000, p.y + (q.y - p.y) * t / 1000) for t in (0, *parts)]
+        start = source.randrange(len(run))
+        cycles.append(tuple(len(at) + (start + i) % len(run) for i in range(len(run))))
+        at += run
+    columns, faces = Columns(at), FaceColumns(cycles)
+    corners_found = Corners(columns, faces)
+    assert corners_found.bad.tolist() == [] and faces.count == 60
+    seen = []
+    for numbers, values in features_squared(columns, faces, corners_found):
+        for number, low, high in zip(numbers.tolist(), values.low().tolist(), values.high().tolist(), strict=True):
+            places = corners_of(at, cycles[number])
+            assert not isinstance(places, NotTriangle)
+            exact = face_feature_squared(at, cycles[number], places)
+            assert mpq(low) <= exact <= mpq(high) and high - low <= 1e-7 * high + 1e-9
+            seen.append(number)
+    assert sorted(seen) == list(range(60))
+
+
+def test_a_walk_that_hardly_goes_on_or_back_is_decided_exactly() -> None:
+    hair = mpq(1, 10**40)
+    at = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (1, 0), (0, 1), ("1/3", 0), (mpq(1, 3) + hair, 0),
+                                                 ("1/4", "1/4"))]
+    cycles = [(0, 3, 1, 2), (0, 3, 4, 1, 2), (0, 4, 3, 1, 2), (0, 1, 2), (0, 1, 5, 2), (0, 1), (0, 4, 1, 2)]
+    forget()
+    assert Corners(Columns(at), FaceColumns(cycles)).bad.tolist() == [2, 4, 5]
+    counts = decisions()["ahead"]
+    assert (counts.by_floats, counts.exactly) == (4, 4)
