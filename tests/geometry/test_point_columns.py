@@ -114,7 +114,8 @@ SOME = [(0, 1, 2), (0, 2, 1), (0, 3, 1, 2), (0, 1), (), (0, 3, 1, 4, 2, 5), (0, 
 
 
 @pytest.mark.parametrize("cycles", [SOME, SOME[:2], SOME[2:4], [], [*permutations(range(5), 4)],
-                                    [*permutations(range(6), 3)], [(), (3,), (0, 3, 1, 2)]])
+                                    [*permutations(range(6), 3)], [(), (3,), (0, 3, 1, 2)],
+                                    [(0, 1, 2), (4, 5, 3), (4, 5, 1)]])
 def test_faces_are_those_found_one_by_one(cycles: list[tuple[int, ...]]) -> None:
     columns, faces = Columns(GRID), FaceColumns(cycles)
     corners = Corners(columns, faces)
@@ -182,3 +183,16 @@ def test_a_walk_that_hardly_goes_on_or_back_is_decided_exactly() -> None:
     assert Corners(Columns(at), FaceColumns(cycles)).bad.tolist() == [2, 4, 5]
     counts = decisions()["ahead"]
     assert (counts.by_floats, counts.exactly) == (4, 4)
+
+
+@pytest.mark.parametrize("far", [mpq(0), mpq(10**30), mpq(10) ** 400])
+def test_further_points_are_moved_like_the_first(far: mpq) -> None:
+    first = [Point(far + i * i, mpq(i, 3)) for i in range(9)]
+    more = [Point(far - mpq(i, 7), mpq(5, i)) for i in range(1, 6)]
+    columns = Columns(first)
+    both = columns.extended(more)
+    assert list(both) == first + more and list(columns) == first
+    assert (both.x.mid[:9] == columns.x.mid).all() and (both.y.mid[:9] == columns.y.mid).all()
+    moved = round(first[0].x - mpq(float(both.x.mid[0])))
+    assert_contained(both.x, [p.x - moved for p in both])
+    assert_contained(both.y, [p.y for p in both])

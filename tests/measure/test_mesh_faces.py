@@ -201,3 +201,19 @@ def test_edges_are_found_where_they_are_met_first() -> None:
     assert (sides.repeated.tolist(), sides.owner.tolist()) == ([6, 8], [0, 4])
     none = MeshFaces(FixedPoints(points), []).sides()
     assert none.find(keys).tolist() == [-1] * 6
+
+
+def test_one_face_with_t_vertices_among_many_without_may_have_the_least_feature() -> None:
+    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (9, 0), (0, 9), (4, 0), (5, 0), (9, 9), (20, 0), (20, 9),
+                                                 (9, 20))]
+    cycles = [(1, 5, 2), (1, 6, 5), (6, 7, 5), (5, 7, 8), (0, 3, 4, 1, 2)]
+    faces = MeshFaces(FixedPoints(points), cycles)
+    assert faces.not_triangles() == [] and faces.least_feature() == (1, 4)
+
+
+def test_a_triangle_is_not_refused_by_floats_alone() -> None:
+    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (9, 0), (0, 9))]
+    faces = MeshFaces(FixedPoints(points), [(0, 1, 2)])
+    faces.turn = -faces.turn
+    with pytest.raises(AssertionError, match="^floats refuse face 0, which is a triangle$"):
+        faces.not_triangles()
