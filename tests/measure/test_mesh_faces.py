@@ -215,5 +215,5 @@ def test_a_triangle_is_not_refused_by_floats_alone() -> None:
     points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (9, 0), (0, 9))]
     faces = MeshFaces(FixedPoints(points), [(0, 1, 2)])
     faces.turn = -faces.turn
-    with pytest.raises(AssertionError, match="^floats refuse face 0, which is a triangle$"):
+    with pytest.raises(AssertionError, match=r"^floats refuse face 0, which is a triangle$"):
         faces.not_triangles()
