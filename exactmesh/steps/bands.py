@@ -43,6 +43,8 @@ class Ground:
     def __init__(self, points: Sequence[Point], edges_at: dict[int, set[int]], level: mpq, wanted_squared: mpq) -> None:
         self.points, self.edges_at = points, edges_at
         self.level, self.wanted_squared = level, wanted_squared
+        # The best found for bands with one chain: different ways to cut a polygon have many in common.
+        self.parts: dict[tuple[object, ...], _Part] = {}
 
     def edge_of(self, u: int, v: int) -> int | None:
         """Return the edge of Q that two neighbours lie on, if there is one."""
@@ -63,9 +65,10 @@ class Band(NamedTuple):
 def triangulate_band(ground: Ground, cycle: Sequence[int]) -> Band | None:
     """Return the first triangulation that keeps what is wanted, else the best one; None when there is none."""
     best: Band | None = None
+    tried: set[tuple[object, ...]] = set()
     for reach in _REACHES:
         for long_ears in _LONG_EARS:
-            band = _Attempt(ground, cycle, 2 * reach * ground.level, long_ears).band()
+            band = _Attempt(ground, cycle, 2 * reach * ground.level, long_ears).band(tried)
             if band is not None and (best is None or band.value > best.value):
                 best = band
                 if best.value >= ground.wanted_squared:
@@ -88,6 +91,8 @@ class _Attempt:
     def __init__(self, ground: Ground, cycle: Sequence[int], reach: mpq, long_ears: tuple[int, ...]) -> None:
         self.ground, self.reach, self.long_ears = ground, reach, long_ears
         self.wanted = ground.wanted_squared
+        # What is steep at the end of a chain, and how far from its ends feet may stand on a clean edge.
+        self.steep = max(reach, ground.level)
         self.cycle = list(cycle)
         self.at = {v: ground.points[v] for v in cycle}
         self.faces: list[Cycle] = []
@@ -96,21 +101,28 @@ class _Attempt:
         self.narrow: list[tuple[int, int]] = []
         self.value: mpq | None = None
 
-    def band(self) -> Band | None:
-        """Return the triangulation, if it is one."""
+    def band(self, tried: set[tuple[object, ...]]) -> Band | None:
+        """Return the triangulation, if it is one and not of those tried before."""
+        if len(self.cycle) <= _SMALL:
+            part = _best_without_new_vertices(self.cycle, [self.at[v] for v in self.cycle])
+            if part.value >= self.wanted or len(self.cycle) == 3:
+                self._take(part)
+                return self._made()
+        while self._cut_ear():
+            pass
+        key = (self.steep, *self.cycle)
+        if key in tried:
+            return None
+        tried.add(key)
         self._triangulate()
+        return self._made()
+
+    def _made(self) -> Band | None:
         if self.value is None or self.value <= 0:
             return None
         return Band(self.value, tuple(self.faces), tuple(self.new), tuple(self.feet), tuple(self.narrow))
 
     def _triangulate(self) -> None:
-        if len(self.cycle) <= _SMALL:
-            part = _best_without_new_vertices(self.cycle, [self.at[v] for v in self.cycle])
-            if part.value >= self.wanted or len(self.cycle) == 3:
-                self._take(part)
-                return
-        while self._cut_ear():
-            pass
         low, up = self._chains()
         if any(self.at[u] >= self.at[v] for chain in (low, up) for u, v in pairwise(chain)):
             self.value = None
@@ -176,14 +188,16 @@ class _Attempt:
         if not chain:
             return
         ring = [a, b, *reversed(chain)] if side == TOP else [b, a, *chain]
-        best: _Part | None = None
-        for part in self._parts(chain, a, b, side, ring):
-            if best is None or part.value > best.value:
-                best = part
-                if best.value >= self.wanted:
-                    break
-        if best is None:
+        key = (self.steep, *ring)
+        if key not in self.ground.parts:
             best = _Part(mpq(0), [])
+            for part in self._parts(chain, a, b, side, ring):
+                if part.value > best.value:
+                    best = part
+                    if best.value >= self.wanted:
+                        break
+            self.ground.parts[key] = best
+        best = self.ground.parts[key]
         if best.value < self.wanted:
             self.narrow.append((ring[0], ring[1]))
         self._take(best)
@@ -218,7 +232,7 @@ class _Attempt:
         """Return the chain less its second and next vertices, from either end, while it is steep there; the ears that
         are cut off, and the least of their squared heights."""
         rest, ears, low = list(chain), [], None
-        reach = max(self.reach, self.ground.level) / 2
+        reach = self.steep / 2
         for from_right in (False, True):
             if from_right:
                 rest.reverse()
@@ -236,7 +250,7 @@ class _Attempt:
     def _with_feet(self, chain: list[int], a: int, b: int, side: int, edge: int) -> Iterator[_Part]:
         """Yield the triangulation that drops the chain on the clean edge, but for what is near or beyond its ends."""
         start, end = self.at[a], self.at[b]
-        reach = max(self.reach, self.ground.level)
+        reach = self.steep
         inner = [i for i, v in enumerate(chain) if start.x + reach <= self.at[v].x <= end.x - reach]
         if not inner:
             return
