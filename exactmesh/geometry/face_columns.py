@@ -69,7 +69,6 @@ def chunks(array: Ints) -> Iterator[tuple[int, Ints]]:
 def _long_corners(points: Columns, rows: Rows) -> tuple[Bools, Ints]:
     """Return which rows are counter-clockwise triangles, and the places of their corners (of others, anything)."""
     flat, start, size = rows.flat, rows.start, rows.size
-    well: Bools = size >= 3
     places = np.zeros((len(size), 3), np.int64)
     some = np.flatnonzero(size > 0)
     place = np.arange(len(flat))
@@ -78,6 +77,8 @@ def _long_corners(points: Columns, rows: Rows) -> tuple[Bools, Ints]:
     after[start[1:][some] - 1] = start[:-1][some]
     row = np.repeat(np.arange(len(size)), size)
     turn = points.turns(flat[before], flat, flat[after])
+    corners = np.flatnonzero(turn > 0)
+    well: Bools = np.bincount(row[corners], minlength=len(size)) == 3
     well[row[turn < 0]] = False
     straight = np.flatnonzero(turn == 0)
     ahead = points.vectors(flat[before[straight]], flat[straight]).dot(
@@ -87,9 +88,6 @@ def _long_corners(points: Columns, rows: Rows) -> tuple[Bools, Ints]:
                 points[flat[before[i]]], points[flat[i]], points[flat[after[i]]])):
             well[row[i]] = False
     note("ahead", len(straight), int((ahead == 0).sum()))
-    corners = np.flatnonzero(turn > 0)
-    count = np.bincount(row[corners], minlength=len(size))
-    well &= count == 3
     places[well] = corners[well[row[corners]]].reshape(-1, 3)
     return well, places
 

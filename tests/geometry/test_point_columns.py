@@ -113,7 +113,7 @@ SOME = [(0, 1, 2), (0, 2, 1), (0, 3, 1, 2), (0, 1), (), (0, 3, 1, 4, 2, 5), (0, 
         (3, 1, 4, 5), (0, 3, 1), (1, 4, 2, 0, 3), (0, 1, 4, 3), (1, 2, 0)]
 
 
-@pytest.mark.parametrize("cycles", [SOME, SOME[:2], SOME[2:4], [], [*permutations(range(5), 4)],
+@pytest.mark.parametrize("cycles", [SOME, [*SOME, ()], SOME[:2], SOME[2:4], [], [*permutations(range(5), 4)],
                                     [*permutations(range(6), 3)], [(), (3,), (0, 3, 1, 2)],
                                     [(0, 1, 2), (4, 5, 3), (4, 5, 1)]])
 def test_faces_are_those_found_one_by_one(cycles: list[tuple[int, ...]]) -> None:
@@ -155,7 +155,7 @@ def test_features_of_faces_with_t_vertices(chunk: int, monkeypatch: pytest.Monke
             continue
         run = []
         for p, q in zip(corners, corners[1:] + corners[:1], strict=True):
-            parts = sorted(source.sample([1, 50, 500, 501, 950, 999], source.randint(0, 2)))
+            parts = source.choice([[], [1], [999], [50, 950], [500, 501], [499, 500, 501], [300]])
             run += [Point(p.x + (q.x - p.x) * t / 1000, p.y + (q.y - p.y) * t / 1000) for t in (0, *parts)]
         start = source.randrange(len(run))
         cycles.append(tuple(len(at) + (start + i) % len(run) for i in range(len(run))))
@@ -178,11 +178,12 @@ def test_a_walk_that_hardly_goes_on_or_back_is_decided_exactly() -> None:
     hair = mpq(1, 10**40)
     at = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (1, 0), (0, 1), ("1/3", 0), (mpq(1, 3) + hair, 0),
                                                  ("1/4", "1/4"))]
-    cycles = [(0, 3, 1, 2), (0, 3, 4, 1, 2), (0, 4, 3, 1, 2), (0, 1, 2), (0, 1, 5, 2), (0, 1), (0, 4, 1, 2)]
+    cycles = [(0, 3, 1, 2), (0, 3, 4, 1, 2), (0, 4, 3, 1, 2), (0, 1, 2), (0, 1, 5, 2), (0, 1), (0, 4, 1, 2),
+              (0, 3, 1, 2)]
     forget()
     assert Corners(Columns(at), FaceColumns(cycles)).bad.tolist() == [2, 4, 5]
     counts = decisions()["ahead"]
-    assert (counts.by_floats, counts.exactly) == (4, 4)
+    assert (counts.by_floats, counts.exactly) == (5, 4)
 
 
 @pytest.mark.parametrize("far", [mpq(0), mpq(10**30), mpq(10) ** 400])
