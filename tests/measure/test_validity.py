@@ -677,3 +677,13 @@ def test_where_nothing_is_lost_the_witness_is_the_input_s() -> None:
     found = case([(0, 0), (4, 0), (1, 3)], reverse, [], ((0, 1, 2),), "classic").verify()
     assert found.valid and found.degradation_squared == 1 and found.mesh_mfs == found.input_mfs
     assert found.mesh_mfs is not None and tuple(found.mesh_mfs.feature) in reverse
+
+
+def test_internal_feature_sizes_are_those_of_internal_meshes() -> None:
+    # The sides of the square are 4 apart; its diagonal passes the corners at half its length.
+    square = case(SQUARE, cycle(4), [], ((0, 1, 2), (0, 2, 3)), "internal")
+    found = square.verify()
+    assert found.valid and found.input_ifs is not None and found.mesh_ifs is not None
+    assert (found.input_ifs.squared, found.mesh_ifs.squared, found.ifs_degradation_squared) == (16, 8, 2)
+    for other in (square.with_mesh(kind="proper").verify(), square.without(1).verify()):
+        assert (other.input_ifs, other.mesh_ifs, other.ifs_degradation_squared) == (None, None, None)
