@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from recorded import recorded
 
 from exactmesh.claims.run import Run
+from exactmesh.geometry.point import Point, dot
 from exactmesh.numbers.separation import Expr
 from exactmesh.paper import simple_polygon
 from exactmesh.steps import appendix_a_check as check
@@ -197,3 +198,21 @@ def test_verdicts_say_all_there_is_to_say():
             verdicts.append((f"{name}: next", check.check_quarter_circle(*made(pslg), only_next=True)))
         lines += verdicts + [(f"{number}: {one.__name__}", one(*harm(*made(pslg))))
                                         for number, (one, pslg, harm, _) in enumerate(HARMS)]
+
+
+@pytest.mark.parametrize("factor", [mpq(1), mpq(3, 7), mpq(5)])
+def test_the_bounds_that_leave_edges_out_say_what_exact_values_say(factor, monkeypatch):
+    said = []
+    for seed in range(8):
+        shape, curve = made(families.scaled(families.random_simple_polygon(9, seed, "growth"), factor))
+        for end in check._acute_ends(shape, curve):
+            for u, v in zip(shape.origin[::2], shape.origin[1::2], strict=True):
+                a, b = (Point(shape.points[w].x - end.corner.p.x, shape.points[w].y - end.corner.p.y) for w in (u, v))
+                xs, depths = (dot(a, end.along), dot(b, end.along)), (end.depth(a), end.depth(b))
+                left, size = end.z * end.scale, end.scale
+                beside = bool(max(xs) <= left or min(xs) >= left + size or min(depths) >= size or max(depths) <= 0)
+                assert end.is_beside(a, b) == beside
+                said.append((end, a, b, beside))
+    monkeypatch.setattr(check._AcuteEnd, "is_beside", lambda *_: False)
+    assert all(check._nearest_in_square(end, a, b) is None for end, a, b, beside in said if beside)
+    assert 0 < sum(beside for *_, beside in said) < len(said)
