@@ -12,6 +12,7 @@ from exactmesh.claims.status import Entry, ledger
 from exactmesh.claims.witnesses import WITNESSES
 from exactmesh.io.export import export_pslg
 from exactmesh.io.read import read_pslg
+from exactmesh.proofs.problem import Theorem
 from exactmesh.proofs.registry import theorems
 from exactmesh.report_ledger import entry_text
 from exactmesh.search.catalogue import CATALOGUE
@@ -69,12 +70,17 @@ def _page(chapter: str, entries: list[Entry]) -> str:
         if claim.check is not None:
             parts.append(f"Checked by `{claim.check.__module__}.{claim.check.__qualname__}`.\n")
         parts += [f"{theorem.shows.capitalize()}: {theorem.says} ({len(theorem.problems)} problems in exact algebra: "
-                  f"`exactmesh prove {claim.id}`)\n" for theorem in theorems() if theorem.claim == claim.id]
+                  f"`exactmesh prove {claim.id}`){_rests_on(theorem)}\n"
+                  for theorem in theorems() if theorem.claim == claim.id]
         parts += [f"Worst found, {find['worst']} ({find['target'][1]}, {find['target'][2]}): `{find['command']}`\n"
                   for find in finds if find["target"][0] == claim.id]
         witnesses = dict.fromkeys(judged.witness for judged in entry.judged if judged.witness)
         parts += [f"The input `{name}`:\n\n{_picture(name)}\n" for name in witnesses]
     return "\n".join(parts)
+
+
+def _rests_on(theorem: Theorem) -> str:
+    return f", with {', '.join(f'`{claim}`' for claim in theorem.claims)}" if theorem.claims else ""
 
 
 def _picture(name: str) -> str:

@@ -18,7 +18,6 @@ from itertools import pairwise, product
 
 from gmpy2 import mpq
 from kit import Hint, Theorem, at_least, main, more, states
-from paper_p2 import THEOREMS as P2
 from paper_tall import THEOREMS as TALL
 from paper_tilings import THEOREMS as TILINGS
 from paper_tilings import boundary, path
@@ -27,7 +26,6 @@ from paper_tube import B as LENGTH
 from paper_tube import h as height
 from refinement import LEMMA_2
 from refinement import THEOREMS as REFINED
-from repaired_tilings import THEOREMS as REPAIRED
 
 from exactmesh.proofs.polynomial import variables
 
@@ -117,11 +115,11 @@ THEOREMS = [
             "of P5", tuple(dict.fromkeys((*FACES, *APART))), PLANE + TILED + TURN + "A vertex on the boundary would be "
             "in directed sides that are left."),
     Theorem("theorem-1.triangulation", "claim", "the mesh is a triangulation that leaves P whole, in the published and "
-            "in the repaired construction", tuple(dict.fromkeys((
-                *FACES, *APART, *known(P2, "section-2.p5-tiles", "section-2.p6-tiles"),
-                *known(REPAIRED, "repaired.interior-tiling", "repaired.tube-tiling")))), "Published: by `section-2.p5-"
-            "tiles`, `section-2.p6-tiles` and `tube.tiles`, which meet along P4 with the vertices of P5. Repaired: by "
-            "`repaired.interior-tiling` and `repaired.tube-tiling`; triangles stay as they are."),
+            "in the repaired construction", names(STRUCTURE), "Published: P5 is cut into P6, which meets the Tube "
+            "along P4 with the vertices of P5. Repaired: the Interior and the Tube meet along Q; triangles stay as "
+            "they are.",
+            "", ("section-2.p5-tiles", "section-2.p6-tiles", "tube.tiles", "section-2.tube-keeps-boundary",
+                 "repaired.interior-tiling", "repaired.tube-tiling")),
 ]
 
 if __name__ == "__main__":

@@ -54,7 +54,11 @@ _STATEMENTS: tuple[tuple[str, str, str, str], ...] = (
 )
 
 # How some of them are read.
+_FEATURES = "distances of two vertices count in the mfs: see `section-1.faces-apart`"
 _GIVEN = {
+    "abstract.nonproper": (_FEATURES, "of a PSLG the bounded faces are meshed"),
+    "abstract.proper": (_FEATURES, "of a PSLG the bounded faces are meshed"),
+    "table-1.nonproper": (_FEATURES, "of the minimum feature size"),
     "section-1.bounded-faces": ("faces have at most k vertices, for a fixed k, and there are no Steiner points",),
     "section-1.drawing": ("vertices and edges are drawn as all points nearer than half the thickness",
                           "what is not to be obscured are vertices, by vertices and edges that they are not on"),

@@ -87,7 +87,8 @@ class Theorem:
 
     `shows` is "claim" for the sentence as the ledger has it, "corrected" for its corrected form, "refuted" for its
     negation, "part" when more is needed. `by_hand` is the argument from the sentence to the problems, which no program
-    checks, `tight` what is known of the sharpness of the bound, with its exact instance.
+    checks, `tight` what is known of the sharpness of the bound, with its exact instance. `claims` are those that have
+    to be proved as well.
     """
 
     claim: str
@@ -96,6 +97,7 @@ class Theorem:
     problems: tuple[str, ...]
     by_hand: str
     tight: str = ""
+    claims: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -112,7 +114,8 @@ def json_from_group(group: Group) -> dict[str, Any]:
     return {
         "format": "exactmesh-proofs/1", "name": group.name,
         "theorems": [{"claim": t.claim, "shows": t.shows, "says": t.says, "problems": list(t.problems),
-                      "by_hand": t.by_hand, "tight": t.tight} for t in group.theorems],
+                      "by_hand": t.by_hand, "tight": t.tight, **({"claims": list(t.claims)} if t.claims else {})}
+                     for t in group.theorems],
         "problems": [{
             "id": p.id, "says": p.says, "hypotheses": [str(c) for c in p.hypotheses],
             "conclusion": None if p.conclusion is None else str(p.conclusion),
@@ -127,7 +130,8 @@ def group_from_json(data: Mapping[str, Any]) -> Group:
     try:
         if data["format"] != "exactmesh-proofs/1":
             raise Refused("the format is not exactmesh-proofs/1")
-        theorems = tuple(Theorem(t["claim"], t["shows"], t["says"], tuple(t["problems"]), t["by_hand"], t["tight"])
+        theorems = tuple(Theorem(t["claim"], t["shows"], t["says"], tuple(t["problems"]), t["by_hand"], t["tight"],
+                                 tuple(t.get("claims", ())))
                          for t in data["theorems"])
         return Group(data["name"], theorems, tuple(_problem(p) for p in data["problems"]))
     except (KeyError, TypeError, ValueError, AttributeError) as error:

@@ -9,7 +9,7 @@ from exactmesh.errors import InputError
 from exactmesh.proofs.certificate import Refused
 from exactmesh.proofs.engines import ENGINES, Engine, installed
 from exactmesh.proofs.problem import Group, Problem, Theorem
-from exactmesh.proofs.registry import groups, theorems
+from exactmesh.proofs.registry import groups, is_proved, theorems
 
 # What an engine says of the negated claim, as a result.
 _RESULTS = {"unsat": "proved", "sat": "refuted", "timeout": "timeout", "unknown": "unknown"}
@@ -113,6 +113,6 @@ def summaries(results: Sequence[Result]) -> list[Summary]:
             methods = sorted({r.method for r in own}, key=("certificate", *ENGINES).index)
             proved = {m: sum(r.method == m and r.result == r.expected for r in own) for m in methods}
             stands = (proved["certificate"] == len(theorem.problems)
-                      and not any(r.contradicts for r in own))
+                      and not any(r.contradicts for r in own) and all(is_proved(claim) for claim in theorem.claims))
             found.append(Summary(theorem, proved, sum(r.seconds for r in own), stands))
     return found

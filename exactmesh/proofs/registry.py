@@ -2,7 +2,7 @@
 
 The files are in `certificates/` beside this module in an installed package, in `proofs_checks/certificates/` in a
 source tree. A claim counts as proved when, in some theorem about the sentence itself, every problem has a certificate
-and guards that pass now.
+and guards that pass now, and so have the claims that it rests on.
 """
 
 import json
@@ -66,8 +66,11 @@ def trouble(problem: str) -> str:
 
 
 def stands(theorem: Theorem) -> bool:
-    """Return whether every problem of the theorem passes, and is not a refutation where the theorem is a proof."""
+    """Return whether every problem of the theorem passes, and is not a refutation where the theorem is a proof, and the
+    claims that it rests on are proved."""
     if not theorem.problems or any(trouble(problem) for problem in theorem.problems):
+        return False
+    if not all(is_proved(claim) for claim in theorem.claims):
         return False
     return theorem.shows in ("refuted", "part") or all(problems()[p].expected == "proved" for p in theorem.problems)
 

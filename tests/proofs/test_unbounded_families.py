@@ -7,6 +7,7 @@ from gmpy2 import mpq
 from exactmesh.claims.run import Run
 from exactmesh.measure.mfs import minimum_feature_size
 from exactmesh.paper import PaperOptions
+from exactmesh.planar.pslg import polygon
 from exactmesh.steps.offset_curve import RightAngle
 from exactmesh.steps.reading import ReadingName
 
@@ -32,3 +33,16 @@ def test_the_trapezoid_of_the_p6_gap(length: mpq, reading: ReadingName, height: 
     across = (first - mpq(1, 4)) * height / 2
     spoke_squared = (apex.x - bl.x) ** 2 + (height / 2) ** 2
     assert across**2 / spoke_squared < (mpq(18, 17) / (length - mpq(1, 2))) ** 2
+
+
+@pytest.mark.parametrize("height", [100, 1000, 2**20, 2**60])
+@pytest.mark.parametrize("reading", ["octagon", "tube"])
+def test_one_far_vertex_on_the_rectangle_of_a_long_triangle(height: int, reading: ReadingName) -> None:
+    triangle = polygon([(0, 0), (4, height), (0, 2 * height)])
+    made = Run(triangle, "paper", "nonproper", PaperOptions(reading=reading)).paper
+    rectangle, = made.tube.rectangles
+    start, inner, end = rectangle.grid
+    assert start == 0 and height <= inner <= end - height
+    assert made.mfs_squared == 16
+    # All nodes are joined to the corner below b: one for two octaves, at least.
+    assert 4 ** sum(rectangle.b_below in face for face in made.tube.patch.faces) > height
