@@ -10,6 +10,7 @@ from gmpy2 import mpq
 
 from exactmesh.collector import collector_paused
 from exactmesh.errors import InputError
+from exactmesh.geometry.columns import Columns
 from exactmesh.geometry.point import Point
 from exactmesh.planar.faces import Subdivision
 from exactmesh.planar.mesh import Kind, Mesh
@@ -59,17 +60,16 @@ def construct(subdivision: Subdivision, size_squared: mpq, progress: Callable[[s
     q = offset(shape, balance)
     progress("trapezoidation")
     chords = trapezoidate(q)
-    points = [*shape.points, *q.points, *chords.points]
+    points = Columns([*shape.points, *q.points, *chords.points])
     progress("interior")
     interior = (triangulate_in_columns(q, chords, points) if kind == "internal" else
                 triangulate_interior(q, chords, points, kind == "proper", balance))
-    points += interior.points
+    points = points.extended(interior.points)
     progress("tube")
     chord_ends = [(edge, chords.first + i) for i, edge in enumerate(chords.edge)]
     recorded = chord_ends + list(interior.on_edge)
     tube = (triangulate_tube_in_columns(shape, q, recorded, points) if kind == "internal" else
             triangulate_tube(shape, q, recorded, points, kind == "proper", balance))
-    points += tube.points
     mesh = Mesh(kind, subdivision.pslg.vertices + _scaled(q.points + chords.points, interior.points + tube.points,
                                                           shape.unit), shape.triangles + interior.faces + tube.faces)
     return Construction(shape, q, chords, interior, tube, mesh)

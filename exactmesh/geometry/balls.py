@@ -31,7 +31,7 @@ _quiet = np.errstate(all="ignore")
 
 
 class Balls:
-    """An array of balls; operands have equal shapes, or one is a plain number that is a float exactly."""
+    """An array of balls; operands have equal shapes, or one of them is one ball for all of the other."""
 
     __slots__ = ("mid", "rad")
 

@@ -5,13 +5,14 @@ are moved near to it beforehand, exactly: everything here depends on differences
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from copy import copy
 from itertools import chain
 from typing import overload
 
 import numpy as np
 from gmpy2 import mpq
 
-from exactmesh.geometry.balls import Balls, Ints, ball_of, constant, greatest
+from exactmesh.geometry.balls import Balls, Ints, ball_of, constant, greatest, joined
 from exactmesh.geometry.decisions import note
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import orientation
@@ -23,11 +24,21 @@ _FAR = 16
 class Columns(Sequence[Point]):
     """Points as a sequence, with the columns `x` and `y` of balls, up to one translation of all points."""
 
-    __slots__ = ("points", "x", "y")
+    __slots__ = ("_moved", "points", "x", "y")
 
     def __init__(self, points: Sequence[Point]) -> None:
         self.points = points
-        self.x, self.y = (column_of([p[axis] for p in points]) for axis in (0, 1))
+        (self.x, by_x), (self.y, by_y) = (_near_origin([p[axis] for p in points]) for axis in (0, 1))
+        self._moved = by_x, by_y
+
+    def extended(self, points: Sequence[Point]) -> "Columns":
+        """Return the columns of these points and of further ones, without a second look at these."""
+        more = copy(self)
+        more.points = [*self.points, *points]
+        by_x, by_y = self._moved
+        more.x = joined(self.x, ball_of(*([p.x - by_x for p in points] if by_x else [p.x for p in points])))
+        more.y = joined(self.y, ball_of(*([p.y - by_y for p in points] if by_y else [p.y for p in points])))
+        return more
 
     @overload
     def __getitem__(self, index: int) -> Point: ...
@@ -132,6 +143,11 @@ class Rows:
 
 def column_of(values: Sequence[mpq]) -> Balls:
     """Return balls for rationals, moved by one whole number where they are far away."""
+    return _near_origin(values)[0]
+
+
+def _near_origin(values: Sequence[mpq]) -> tuple[Balls, mpq]:
+    """Return balls for rationals less a whole number, and that number, 0 unless they are far away."""
     column = ball_of(*values)
     if len(column):
         low, high = column.mid.min(), column.mid.max()
@@ -140,5 +156,5 @@ def column_of(values: Sequence[mpq]) -> Balls:
         if not np.isfinite(reach) or max(abs(low), abs(high)) > _FAR * reach:
             centre = (min(values) + max(values)) / 2
             whole = mpq(centre.numerator // centre.denominator)
-            return ball_of(*(value - whole for value in values))
-    return column
+            return ball_of(*(value - whole for value in values)), whole
+    return column, mpq(0)

@@ -124,7 +124,7 @@ def _extremes(shape: Shape, body: _Body) -> list[list[int]]:
     points, origin = Columns(shape.points), indices(shape.origin)
     start, end = origin[::2], origin[1::2]
     along = points.vectors(start, end)
-    values = [along.cross(Vectors(ball_of(*[k.x] * len(start)), ball_of(*[k.y] * len(start)))) for k in body.points]
+    values = [along.cross(Vectors(ball_of(k.x), ball_of(k.y))) for k in body.points]
     low, high = np.stack([value.low() for value in values]), np.stack([value.high() for value in values])
     best, every = np.argmax(low, axis=0), np.arange(len(start))
     least = low[best, every]

@@ -27,6 +27,7 @@ class PatchBuilder:
         self.proper = proper
         self.balance = balance
         self.points = list(points)
+        self._given = points if isinstance(points, Columns) else None
         self.first = len(points)
         self.on_edge: list[tuple[int, int]] = []
         self.face_counts: list[int] = []
@@ -55,17 +56,15 @@ class PatchBuilder:
                 end = self.first + len(new)
                 places += range(end + len(piece.steiner) - 1, end - 1, -1)
                 new += piece.steiner
-            for face in piece.faces:
-                if len(face) == 3:
-                    i, j, k = face
-                    faces.append((places[i], places[j], places[k]))
-                else:
-                    faces.append(tuple([places[v] for v in face]))
+            try:
+                faces += [(places[i], places[j], places[k]) for i, j, k in piece.faces]
+            except ValueError:  # not all of them have three vertices
+                faces += [tuple([places[v] for v in face]) for face in piece.faces]
         return Patch(self.first, tuple(new), tuple(faces), tuple((edge, number[v]) for edge, v in self.on_edge))
 
     def _made(self) -> dict[_Sort, Iterator[tuple[Piece, Sequence[int]]]]:
         """Return the pieces of each sort in the order in which they were added, with the vertices they refer to."""
-        points = Columns(self.points)
+        points = self._given.extended(self.points[self.first :]) if self._given else Columns(self.points)
         wanted = self.balance.feature_squared
         left = points.turns(*indices(chain.from_iterable(self._triangles)).reshape(-1, 3).T) > 0
         return {
