@@ -126,6 +126,15 @@ def test_verdicts_say_all_there_is_to_say():
     with recorded("lemma_3", check) as lines:
         every = (*GOOD, partial(check.check_count, occupied=False), check.check_layers_feature, check.check_layer_count,
                  lambda tube, points: check.check_proper(tube))
+        room = Run(families.ALL_SMALL["spike room"], "paper", options=PaperOptions(teeth="retiled")).paper
         good = [(f"{name}: {number}", one(*made)) for name, made in (
+            ("room", (room.tube, room.points)),
             ("full", FULL), ("literal", LITERAL), ("layers", LAYERS), ("far", FAR)) for number, one in enumerate(every)]
         lines += good + [(name, bad(*made)) for name, (bad, made, _) in HARMS.items()]
+
+
+@pytest.mark.parametrize("one", [check.check_tiling, lambda tube, points: check.check_proper(tube)])
+def test_every_face_needs_its_phase(one):
+    tube, points = FULL
+    with pytest.raises(ValueError):
+        one(replace(tube, phase=tube.phase[:-1]), points)
