@@ -12,7 +12,7 @@ Trapezoids elsewhere stay as they are, so there are few clusters, and most of th
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 
 from gmpy2 import mpq
@@ -26,8 +26,8 @@ from exactmesh.steps.bands import Band, Ground, triangulate_band
 from exactmesh.steps.records import Cycle, Offset, Patch, Trapezoidation
 
 # A cluster grows by at most so many steps; the sides that are tried when none hems it in.
-_STEPS = 40
-_LONGEST_SIDES = 6
+_STEPS = 12
+_LONGEST_SIDES = 3
 
 
 def merged_where_thin(patch: Patch, face_counts: Sequence[int], offset: Offset, chords: Trapezoidation,
@@ -46,7 +46,8 @@ def merged_where_thin(patch: Patch, face_counts: Sequence[int], offset: Offset, 
         faces[number].append(face)
     edges_at = _edges_at(offset, chords, patch)
     clusters = _Clusters(faces, Ground(places, edges_at, balance.level, balance.feature_squared))
-    for region in thin:
+    # Once more at the end: what failed may succeed when its neighbours have become clusters.
+    for region in (*thin, *thin):
         clusters.mend(region)
     return clusters.patch(patch)
 
@@ -83,8 +84,13 @@ def _edges_at(offset: Offset, chords: Trapezoidation, patch: Patch) -> dict[int,
 class _Cluster:
     """Some regions as one polygon, a counter-clockwise cycle."""
 
-    def __init__(self, regions: frozenset[int], cycle: Sequence[int], band: Band | None = None) -> None:
+    def __init__(self, regions: frozenset[int], cycle: Sequence[int], band: Band | None) -> None:
         self.regions, self.cycle, self.band = regions, cycle, band
+
+    @property
+    def value(self) -> mpq:
+        """The least squared feature size of its faces, zero where there are none."""
+        return self.band.value if self.band is not None else mpq(0)
 
 
 class _Clusters:
@@ -99,20 +105,20 @@ class _Clusters:
     def mend(self, region: int) -> None:
         """Put a cluster in the place of a thin region, if one is found that keeps more."""
         outline = self.outline[region]
-        if region in self.cluster_of or outline is None:
+        known = self.cluster_of.get(region)
+        if outline is None or (known is not None and known.value >= self.ground.wanted_squared):
             return
-        cluster = _Cluster(frozenset([region]), outline)
-        best, kept = None, self._kept(region)
+        cluster: _Cluster | None = known or _Cluster(frozenset([region]), outline,
+                                                     triangulate_band(self.ground, outline))
+        best, kept = None, known.value if known is not None else self._kept(region)
         for _ in range(_STEPS):
-            cluster.band = triangulate_band(self.ground, cluster.cycle)
-            if cluster.band is not None and cluster.band.value > kept:
-                best, kept = cluster, cluster.band.value
+            if cluster is None:
+                break
+            if cluster.value > kept:
+                best, kept = cluster, cluster.value
                 if kept >= self.ground.wanted_squared:
                     break
-            grown = self._grown(cluster)
-            if grown is None:
-                break
-            cluster = grown
+            cluster = next(self._grown(cluster), None)
         if best is not None:
             for number in best.regions:
                 self.cluster_of[number] = best
@@ -138,8 +144,9 @@ class _Clusters:
     def _kept(self, region: int) -> mpq:
         return min(_feature_squared(self.ground.points, face) for face in self.faces[region])
 
-    def _grown(self, cluster: _Cluster) -> _Cluster | None:
-        """Return a cluster with what lies beyond a side that hems it in, else beyond one of the longest level sides."""
+    def _grown(self, cluster: _Cluster) -> Iterator[_Cluster]:
+        """Yield a cluster with what lies beyond a side that hems it in, then beyond one of the longest level sides, if
+        it can be triangulated."""
         places = self.ground.points
         narrow = cluster.band.narrow if cluster.band is not None else ()
         level = [side for side in _sides(cluster.cycle) if places[side[0]].y == places[side[1]].y]
@@ -153,9 +160,8 @@ class _Clusters:
             if regions & cluster.regions:
                 continue
             joined = _boundary(chain(_sides(cluster.cycle), _sides(cycle)))
-            if joined is not None:
-                return _Cluster(cluster.regions | regions, joined)
-        return None
+            if joined is not None and (band := triangulate_band(self.ground, joined)) is not None:
+                yield _Cluster(cluster.regions | regions, joined, band)
 
     def _whole(self, region: int) -> tuple[frozenset[int], Sequence[int]]:
         """Return the cluster a region is in, else the region itself."""
