@@ -318,6 +318,8 @@ STATEMENTS = [
 GROUP = "interior"
 NAMES = tuple(statement.id for statement in (*STATEMENTS, *CLEAN, *WEDGES, *PIECES) if statement.true)
 ARGUMENT = (
+    "A level edge at a T-vertex that is shorter than w leads to a corner whose leg leans to the T-vertex's side: "
+    "`repaired.edge-gap` has the argument. "
     "An edge of Q is 0.0688 long or longer where it is level, two vertices on a level are F apart otherwise: so D >= "
     "F. Quadrilaterals left over: with a corner of each side off the leg beyond, A2; if both legs lean outwards from "
     "a side and no corner of it is off, A3; else a diagonal to the far end of a wedge's leg: on one side of it W4, on "

@@ -4,6 +4,7 @@ import importlib
 import random
 from collections import Counter
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -176,7 +177,7 @@ def line_distance_squared(p: Point, a: Point, b: Point) -> mpq:
 def assert_as_the_proof_has_it(us: Sequence[Point], a: Point, b: Point) -> None:
     """What `pieces` is given of a piece."""
     reach = WEDGE_HEIGHTS * abs(a.y - us[0].y)
-    gaps = [right.x - left.x for left, right in zip(us, us[1:], strict=False)]
+    gaps = [right.x - left.x for left, right in pairwise(us)]
     assert all(gap >= GAP for gap in gaps[1:-1])
     ends = ((us[0], us[1], a, b, 1), (us[-1], us[-2], b, a, -1))
     good = [abs(end.x - beside.x) >= GAP or line_distance_squared(beside, near, end) >= SEPARATION**2
@@ -191,7 +192,7 @@ def assert_as_the_proof_has_it(us: Sequence[Point], a: Point, b: Point) -> None:
 
 
 @pytest.mark.parametrize("seed", range(6))
-def test_trapezoids_that_obey_the_invariants_keep_a_fifth_of_a_level(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_obeys_the_invariants_keeps_a_fifth_of_a_level(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
     seen = Counter[str]()
     add = PatchBuilder.add_one_sided
 
