@@ -38,6 +38,8 @@ def test_the_document_is_about_targets_and_its_counts_add_up() -> None:
 def test_each_survivor_is_listed_once_with_a_reason() -> None:
     listed = re.findall(r"^\| `([a-z_]+(?:\.[a-z_]+)*)\.([^`|]*)` \| `.+` \| (.+) \|$", DOCUMENT, re.MULTILINE)
     names = [f"{module}.{name}" for module, name, _ in listed]
+    groups = re.findall(r"^\| `([a-z_0-9.]+)\.([^`.]+__mutmut_)` \| ([\d, ]+) \| .+ \|$", DOCUMENT, re.MULTILINE)
+    names += [f"{module}.{name}{number}" for module, name, numbers in groups for number in numbers.split(", ")]
     assert len(names) == len(set(names)) and all(reason for *_, reason in listed)
     for module, (_, _, _, survived, _) in ROWS.items():
         dotted = module.removesuffix(".py").replace("/", ".")

@@ -280,7 +280,8 @@ def test_the_centre_of_lemma_1(high, x):
     (((0, 0), (2, 0), (4, 0), (0, 4)), True), (((2, 0), (4, 0), (0, 4), (0, 0)), True),
     (((0, 0), (1, 0), (2, 0), (3, 0)), False), (((0, 0), (4, 0), (0, 4)), True), (((0, 0), (0, 4), (4, 0)), False),
     (((0, 0), (1, 0), (4, 0)), False), (((0, 0), (4, 0), (2, 0), (0, 4)), False),
-    (((0, 0), (4, 0), (0, 4), (0, 4)), False), (((0, 0), (2, 0), (2, 0), (0, 4)), False)])
+    (((0, 0), (4, 0), (0, 4), (0, 4)), False), (((3, 0), (0, 0), (1, -1), (2, 0)), False),
+    (((0, 0), (2, 0), (2, 0), (0, 4)), False)])
 def test_simple_and_counter_clockwise_regions(corners, left):
     assert after._turns_left(at(*corners)) is left
 
