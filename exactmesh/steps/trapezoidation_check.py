@@ -144,9 +144,10 @@ def _are_sound(offset: Offset, chords: Trapezoidation, points: Columns) -> Bools
     bl, br, tl, tr = corners
     sides = [_sides(z) for z in chords.trapezoids]
     height = {level: offset.height(level) for z in chords.trapezoids for level in (z.low, z.high)}
+    at = points.points
     sound: Bools = ((bl != br) | (tl != tr)) & np.fromiter((
-        z.low < z.high and all(points[v].y == height[z.low] for v in bottom)
-        and all(points[v].y == height[z.high] for v in top)
+        z.low < z.high and all(at[v].y == height[z.low] for v in bottom)
+        and all(at[v].y == height[z.high] for v in top)
         for z, (bottom, top) in zip(chords.trapezoids, sides, strict=True)), np.bool_, len(sides))
     rows = Rows([row for both in sides for row in both])
     row = np.repeat(np.arange(len(rows)), rows.size)
