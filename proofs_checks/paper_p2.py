@@ -127,10 +127,12 @@ THEOREMS = [
             "Between neighbouring levels with vertices of P4 its edges do not meet and keep their order; by parity "
             "what is between the first and the second, the third and the fourth .. is inside. Such parts of "
             "neighbouring levels are joined where no vertex of P4 is on what they share: there they have the same "
-            "legs."),
+            "legs.",
+            "", ("section-2.p4-feature-size",)),
     Theorem("section-2.p6-tiles", "claim", "the faces at Lemma 1's vertices, and triangles as they are, tile P5",
             names(P6), WINDING + "Turned and mirrored as in Lemma 1; T-vertices are on the parallel sides, in the "
-            "faces of these. Around the vertex directed sides cancel: v s is in one face, s v in the next."),
+            "faces of these. Around the vertex directed sides cancel: v s is in one face, s v in the next.",
+            "", ("section-2.p5-tiles",)),
 ]
 
 if __name__ == "__main__":

@@ -77,7 +77,18 @@ LOWER = [bounded(
     (more(r), more(N), more(d), at_least(2 * r, d * d), at_least(N * d, r)),
     lambda factor: at_least(2 * N * N, r * square(factor)), Hint(degrees=(4, 5), squares=(r, N * d)),
     {"r": "2", "d": "2", "N": "1"})]
-STATEMENTS = [*EPSILON, *STRIP, *LINE, *OVERLAY, *SCALING, *LOWER]
+PIECES = [
+    states("section-5.height-squared", "H^4 <= 3 T^2 for the area T = w H/2 of a triangle on its longest side",
+           (more(w), more(y), at_least(3 * w * w, 4 * y * y)), at_least(3 * (w * y / 2)**2, y**4), Hint(degrees=(4,))),
+    states("section-5.sum", "Cauchy, one more: S^2 <= t Q gives (S + H)^2 <= (t + 1)(Q + H^2)",
+           (at_least(t, 1), at_least(x), at_least(t * z, x * x)), at_least((t + 1) * (z + y * y), (x + y)**2),
+           Hint(degrees=(4,), squares=(x - t * y,))),
+    states("section-5.cells", "N <= S/(2 e), S^2 <= sqrt(3) 72 n A, A <= D^2, e > 64/129 of a height, 45 of them D/r: "
+           "N <= 294 n r", (at_least(n, 3), at_least(N), more(w), more(r), more(x), more(D), equal(D, r * w),
+                            at_least(129 * 45 * x, 128 * N * w), at_least(126 * n * D * D, x * x)),
+           at_least(294 * n * r, N), Hint(degrees=(5, 6))),
+]
+STATEMENTS = [*EPSILON, *STRIP, *LINE, *OVERLAY, *SCALING, *LOWER, *PIECES]
 
 
 def names(*parts: list[Statement]) -> tuple[str, ...]:
@@ -87,6 +98,14 @@ def names(*parts: list[Statement]) -> tuple[str, ...]:
 
 CELLS = ("What lies in one slide's part is a translate of a part of the slice, where a vertical line meets one of the "
          "triangle's two sides or none. ")
+MANY = "at most 55 * 294 k (sum of n)(sum of r) pieces of k polygons"
+BY_CELLS = CELLS + ("docs/dissection.md: k strips of N cells in all make at most 55 k N pieces; the cells of t "
+                    "triangles, of heights H and total area A, are at most (sum of H)/(2 e), and (sum of H)^2 <= t "
+                    "(sum of H^2) by induction, <= sqrt(3) t A. e is more than 128/129 of half the least height. A "
+                    "polygon with n corners has 72 n triangles at most, as their angles add up, each of a height of "
+                    "mfs/45 or more: in the polygon with the least one, r is the spread and A <= (r mfs)^2.")
+LESS = "6875 k is asserted on every run"
+MESHES = ("repaired.steiner-count", "abstract.nonproper", "section-5.overlay")
 GROUP = "section-5"
 THEOREMS = [
     Theorem("section-5.epsilon", "refuted", "the ifs of a nonproper triangulation can be less than its heights",
@@ -109,6 +128,8 @@ THEOREMS = [
             names(OVERLAY, LINE), CELLS + "The rest is docs/dissection.md: cells of two strips that overlap, cuts that "
             "cross at most once, 7 in a cell that are not upright and 2 that are; pieces are counted by their least "
             "corners, which are those of a part or crossings. Each strip has as many pieces as cells, or more."),
+    Theorem("section-5.pieces", "claim", MANY, names(PIECES, OVERLAY, LINE), BY_CELLS, LESS, MESHES),
+    Theorem("section-5.pieces-many", "claim", MANY, names(PIECES, OVERLAY, LINE), BY_CELLS, LESS, MESHES),
     Theorem("section-5.scaling", "claim", "the factor 1/sqrt(A) is at least 1/D", names(SCALING),
             "A polygon of diameter D is in a box no wider and no higher than D. Its area is positive.",
             "the constant is not best: A <= pi D^2/4"),

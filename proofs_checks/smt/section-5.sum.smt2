@@ -1,0 +1,12 @@
+; section-5.sum: Cauchy, one more: S^2 <= t Q gives (S + H)^2 <= (t + 1)(Q + H^2)
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const t Real)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const z Real)
+(assert (>= (+ (* 1.0 t) (- 1.0)) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* 1.0 t z) (* (- 1.0) x x)) 0.0))
+(assert (> (+ (* (- 1.0) t y y) (* (- 1.0) t z) (* 2.0 x y) (* 1.0 x x) (* (- 1.0) z)) 0.0))
+(check-sat)
