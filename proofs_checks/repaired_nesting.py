@@ -1,15 +1,16 @@
 """Prove I3 of the repaired construction: Q is simple, on levels, turned like P and inside its face.
 
-Given   mfs 1 (m <= mfs; internal meshes, in units of the ifs, are checked on every run only). The motion: K1 grows
-        from a point to its size, then all vertices of Q go straight to their levels, all the while evenly. A corner
-        (e0, e1) at p has a wedge W, the directions from e1 counter-clockwise to e0; its vertices of Q are a run of
-        p + k, or one p + k with k extreme for both edges, or the crossing of the offset edges. Ring and walk
-        correspond, and vertices are on levels, as they are made so.
+Given   mfs 1 (m <= mfs), or ifs 1 for internal meshes. The motion: K1 grows from a point to its size, then all vertices
+        of Q go straight to their levels, all the while evenly. A corner (e0, e1) at p has a wedge W, the directions
+        from e1 counter-clockwise to e0; its vertices of Q are a run of p + k, or one p + k with k extreme for both
+        edges, or the crossing of the offset edges. Ring and walk correspond, and vertices are on levels, as they are
+        made so.
 Claim   At every moment, no vertex of Q or P is on an edge of Q or P that does not end there, but for those of P alone.
         wedge: q is g or more from what is not in W, as n.(q - p) >= g for a normal n between those of e0 and e1.
         line: e' is g or more from e, if both ends are from its line.
         beyond: a ray from p beyond the end of an edge at p is 1 or more from another edge at p.
         path: e0' is on the line n0.x = h, where the other edge of a reflex corner is not.
+        rib: the points w + t k of e', w on e, have been in it from the beginning on.
 Method  Every pair has one label (`LABELS`), found by program from which ends are the same vertices (`pairs`); that
         there are no other kinds of corner is checked by making one of each (`corner_kinds`).
 Tight   g: a level edge and a snap of half a level. While K1 is t times its size, read t g and t 0.15.
@@ -36,7 +37,7 @@ from exactmesh.steps.constants import LEVEL
 from exactmesh.steps.offset import offset
 from exactmesh.steps.records import Shape
 
-a, b, c, h, m, s, t, L, nx, ny, x, y = variables("a b c h m s t L nx ny x y")
+a, b, c, h, k, m, s, t, w, L, nx, ny, x, y = variables("a b c h k m s t w L nx ny x y")
 normal, off = spot(nx, ny), spot(x, y)
 
 # Kinds of corner, by the sources of their vertices of Q.
@@ -164,6 +165,9 @@ STATEMENTS = [
             lambda f: at_least(L * L * (x * x + y * y), square(f)), Hint(degrees=(4,), squares=(x, y))),
     states("nesting.path", "n0.k1 < h and n0.d1 <= 0 for a cap: n0 on e1' stays below h",
            (more(h, m), at_least(s), at_least(0, c)), more(h, m + s * c)),
+    states("nesting.rib", "w >= 0 beyond p along e, e' begins at t x: if w + t k is after that, so is w + s k at s x",
+           (at_least(w), more(t), at_least(w + t * k, t * x), at_least(s), at_least(t, s)),
+           at_least(w + s * k, s * x), Hint(degrees=(2, 3))),
 ]
 
 ARGUMENT = (
@@ -178,7 +182,14 @@ ARGUMENT = (
     "but near p; there corners have wedges of their own; in one, e0', the cap and e1' are a path that does not meet "
     "itself (`path`, or two rays from one point); the two sides of an edge are on either side of it. So Q is simple "
     "and in its face. A ring's area is nearly its walk's, or that is 0: then the walk is about a tree, or a vertex, "
-    "and the ring goes clockwise around it. A simple ring keeps its turn.")
+    "and the ring goes clockwise around it. A simple ring keeps its turn. "
+    "Internal meshes: measured along paths in the closed face, features without a common vertex are 1 apart, as a "
+    "shortest path is straight, or bends at a vertex 1 from a feature. Until Q first meets P, e' has come by ribs "
+    "w + t k from w on e (`rib`), caps from p, and then straight up or down, all in the face; the triangle of such a "
+    "way has no vertex in it, less than 1 from where it began; so there is a straight one, of 0.4701 at most, and what "
+    "meets has sources with a common vertex. w does not pass the far end of e0, which would be 0.85 from e1. If e2' "
+    "crossed what is beyond e1, the parallel to the rib there through the first vertex towards p would join that "
+    "vertex to e2. In a triangle the lowest vertex over a side sees it.")
 GROUP = "nesting"
 NAMES = tuple(statement.id for statement in (*STATEMENTS, *SEPARATION, *CAPS))
 THEOREMS = [Theorem(

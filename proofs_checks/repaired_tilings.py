@@ -27,8 +27,7 @@ from typing import NamedTuple
 from gmpy2 import mpq
 from kit import Hint, Statement, Theorem, at_least, cross, equal, main, more, spot, states
 from repaired_caps import OCTAGON
-from repaired_nesting import THEOREMS as NESTING
-from repaired_sweep import STATEMENTS as SWEEP
+from repaired_separation import STATEMENTS as SEPARATION
 
 from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import NotTriangle, corners_of
@@ -246,7 +245,9 @@ def names(*parts: list[Statement]) -> tuple[str, ...]:
     return tuple(statement.id for part in parts for statement in part)
 
 
-REST = (*names(SWEEP), *NESTING[0].problems)
+# Of `repaired.offset-separation`: how far the far end of an edge is from the one before it.
+FAR = tuple(s.id for s in SEPARATION if s.id.startswith(("separation.edge-sine", "separation.longer")))
+assert len(FAR) == 3
 FACES = ("Faces that turn left and whose sides cancel but for the region's tile it, by winding numbers. Every kind of "
          "candidate has the sides of its piece, by program; it is taken only if its faces turn left. ")
 INTERIOR = (
@@ -266,15 +267,16 @@ TUBE_WORDS = (
     "what is left over: the region between, as Q is simple and inside (I3).")
 GROUP = "repaired-tilings"
 THEOREMS = [
-    Theorem("repaired.interior-tiling", "claim", "the faces of the Interior tile the inside of Q",
-            (*names(WEDGES, LEVELS), *REST), INTERIOR, "nothing is left out"),
+    Theorem("repaired.interior-tiling", "claim", "the faces of the Interior tile the inside of Q, in nonproper and "
+            "proper meshes", names(WEDGES, LEVELS), INTERIOR, "nothing is left out", ("repaired.trapezoidation",)),
     Theorem("repaired.tube-tiling", "claim", "the faces of the Tube tile what lies between P and Q",
-            (*names(TUBE), *REST, "gaps.reach", "gaps.reach-upper"), TUBE_WORDS, "nothing is left out"),
+            (*names(TUBE), *FAR, "gaps.reach", "gaps.reach-upper"), TUBE_WORDS, "nothing is left out",
+            ("repaired.offset-thickness", "repaired.offset-separation", "repaired.offset-nesting",
+             "repaired.caps-whole")),
     Theorem("theorem-2.triangulation", "claim", "a proper mesh is a triangulation that leaves the boundary whole",
-            (*names(STATEMENTS), *REST, "gaps.reach", "gaps.reach-upper"),
-            "Bare triangles, the Interior and the Tube tile the domain, by `repaired.interior-tiling` and "
-            "`repaired.tube-tiling`. Sides cancel whole, so no vertex is inside one; faces of candidates for proper "
-            "meshes have three sides, by program; no vertex is put on P. " + INTERIOR + " " + TUBE_WORDS),
+            names(WEDGES, LEVELS), "The Interior and the Tube meet along Q; triangles stay as they are. Sides cancel "
+            "whole, so no vertex is inside one; faces of candidates for proper meshes have three sides, by program; no "
+            "vertex is put on P.", "", ("repaired.interior-tiling", "repaired.tube-tiling")),
 ]
 
 if __name__ == "__main__":

@@ -1,0 +1,15 @@
+; nesting.rib: w >= 0 beyond p along e, e' begins at t x: if w + t k is after that, so is w + s k at s x
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const k Real)
+(declare-const s Real)
+(declare-const t Real)
+(declare-const w Real)
+(declare-const x Real)
+(assert (>= (* 1.0 w) 0.0))
+(assert (> (* 1.0 t) 0.0))
+(assert (>= (+ (* 1.0 k t) (* (- 1.0) t x) (* 1.0 w)) 0.0))
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ (* (- 1.0) s) (* 1.0 t)) 0.0))
+(assert (> (+ (* (- 1.0) k s) (* 1.0 s x) (* (- 1.0) w)) 0.0))
+(check-sat)
