@@ -14,6 +14,7 @@ from exactmesh.steps.constants import (
     LEVEL_EDGE,
     PAPER_DEGRADATION,
     PROPER_FACTOR,
+    PROPER_LOGARITHM,
     PROPER_VERTICES_PER_CORNER,
     SEPARATION,
     THICKNESS_MAX,
@@ -121,6 +122,10 @@ def _proper_degradation(run: Run) -> Verdict:
     return mesh_check.check_proper_degradation(run.verification, run.repaired.shape.corner_count)
 
 
+def _proper_logarithm(run: Run) -> Verdict:
+    return mesh_check.check_proper_logarithm(run.verification, run.repaired.shape.corner_count)
+
+
 def _internal_degradation(run: Run) -> Verdict:
     return mesh_check.check_internal_degradation(run.verification)
 
@@ -177,8 +182,11 @@ REPAIRED_CLAIMS: tuple[Claim, ...] = (
           "the degradation of a proper mesh grows at most with the logarithm of the number n of corners",
           ("n >= 4",), f"<= max({DESIGN_DEGRADATION}, {PROPER_FACTOR} (1 + log2 n))", "square", _RUNS,
           _proper_degradation, kinds=("proper",)),
+    Claim("repaired.proper-degradation-22", "repaired construction, for Theorem 2",
+          "the degradation of a proper mesh is at most a constant times the logarithm of the number n of corners",
+          ("n >= 4",), f"<= {PROPER_LOGARITHM} (1 + log2 n)", "square", _RUNS, _proper_logarithm, kinds=("proper",)),
 )
 
 # The claims on the steps alone, before the mesh is verified.
 STEP_CLAIMS: tuple[Claim, ...] = tuple(claim for claim in REPAIRED_CLAIMS if claim.check not in (
-    _vertex_count, _design_degradation, _proper_degradation, _internal_degradation))
+    _vertex_count, _design_degradation, _proper_degradation, _proper_logarithm, _internal_degradation))

@@ -41,6 +41,8 @@ VERTICES_PER_CORNER = 35
 # A proper mesh keeps max(21.6, 9 (1 + log2 n)), and has about one vertex more for each gap of a layered piece, of
 # which there are at most 16 a corner.
 PROPER_FACTOR = mpq(9)
+# What is proved of every proper mesh: at most 22 (1 + log2 n).
+PROPER_LOGARITHM = mpq(22)
 PROPER_VERTICES_PER_CORNER = VERTICES_PER_CORNER + 16
 
 # In internal meshes an edge across a trapezoid or the Tube ends at a vertex within this distance of its line.

@@ -112,6 +112,23 @@ class Frame:
         slope = (b.y - a.y) / (b.x - a.x)
         return min(a.y + slope * (start - a.x), a.y + slope * (end - a.x))
 
+    def along_clean_side(self) -> "Frame | None":
+        """Return the frame whose x axis runs along the clean side, from 0 to 1, the crooked T-side below.
+
+        The lower end of the T-side has height h over the clean side; there the T-side has height 0 and less, the
+        anchors have height h. None where h <= 0, or where the T-side does not go from left to right.
+        """
+        a, along = self.a, minus(self.b, self.a)
+        length_squared = dot(along, along)
+        to_side = [minus(u, a) for u in self.points()[:-2]]
+        xs = tuple(dot(to, along) / length_squared for to in to_side)
+        heights = [cross(to, along) / length_squared for to in to_side]
+        low = min(heights[0], heights[-1])
+        if low <= 0 or xs[0] >= xs[-1]:
+            return None
+        origin = Point(a.x + low * along.y, a.y - low * along.x)
+        return Frame(xs, Point(_ZERO, low), Point(_ONE, low), origin, along, False, tuple(low - h for h in heights))
+
     def gaps_between_fans(self, mode: Mode, reach: int) -> range | None:
         """Return the gaps [u_j, u_j+1] left between the fans of the anchors; None when there are none.
 

@@ -3,6 +3,8 @@
 Each gap [u_j, u_j+1] between the fans of the anchors gets one apex in the lowest row; each row has one vertex for
 every two of the row below, until one is left. Rows are evenly spaced below the clean side. No face has a T-vertex, and
 there are at most 2 N + log2 N new vertices for N gaps (a row of odd length rounds up).
+
+Rows are parallel to the T-side, or in the last candidate, where the two sides are not parallel, to the clean side.
 """
 
 from collections.abc import Iterator
@@ -14,6 +16,9 @@ from exactmesh.geometry.point import Point
 from exactmesh.steps.frame import MODES, REACHES, Candidate, Frame, Trial
 from exactmesh.steps.heights import height_squared
 from exactmesh.steps.records import Cycle
+
+# Two such fans do not meet over an edge of P.
+_BELOW_REACH = 1
 
 
 def layered_candidates(frame: Frame) -> Iterator[Candidate]:
@@ -32,6 +37,19 @@ def layered_trials(frame: Frame) -> Iterator[Trial]:
             gaps = frame.gaps_between_fans(mode, reach)
             if gaps is not None:
                 yield _Layers(frame, gaps, h0).trial()
+
+
+def layered_below(frame: Frame) -> Candidate | None:
+    """Return the layered triangulation with rows parallel to the clean side, None where it has no place.
+
+    So the triangles between rows are those of a strip, however much the T-side slants, and wherever the anchors are.
+    """
+    along = frame.along_clean_side()
+    gaps = along.gaps_between_fans(MODES[0], _BELOW_REACH) if along is not None else None
+    if along is None or gaps is None:
+        return None
+    trial = _Layers(along, gaps, along.a.y).trial()
+    return Trial(trial.faces, along.piece((), trial.steiner).steiner).candidate(frame)
 
 
 class _Layers:

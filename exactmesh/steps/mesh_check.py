@@ -9,6 +9,7 @@ from exactmesh.steps.constants import (
     PAPER_DEGRADATION,
     PAPER_FEATURE,
     PROPER_FACTOR,
+    PROPER_LOGARITHM,
     PROPER_VERTICES_PER_CORNER,
     VERTICES_PER_CORNER,
 )
@@ -55,13 +56,20 @@ def check_internal_degradation(verification: Verification) -> Verdict:
 
 
 def check_proper_degradation(verification: Verification, corner_count: int) -> Verdict:
-    """Return the verdict on the squared degradation of a proper mesh against max(21.6, 9 (1 + log2 n)).
-
-    log2 n is replaced by a rational less than 2^-12 below it.
-    """
-    logarithm = mpq((mpz(corner_count) ** (1 << _LOG_BITS)).bit_length() - 1, 1 << _LOG_BITS)
-    bound = max(DESIGN_DEGRADATION, PROPER_FACTOR * (1 + logarithm))
+    """Return the verdict on the squared degradation of a proper mesh against max(21.6, 9 (1 + log2 n))."""
+    bound = max(DESIGN_DEGRADATION, PROPER_FACTOR * (1 + _logarithm(corner_count)))
     return _degradation(verification, Tally("degradation <= max(21.6, 9 (1 + log2 n))", "<=", bound**2))
+
+
+def check_proper_logarithm(verification: Verification, corner_count: int) -> Verdict:
+    """Return the verdict on the squared degradation of a proper mesh against 22 (1 + log2 n)."""
+    bound = PROPER_LOGARITHM * (1 + _logarithm(corner_count))
+    return _degradation(verification, Tally("degradation <= 22 (1 + log2 n)", "<=", bound**2))
+
+
+def _logarithm(n: int) -> mpq:
+    """Return a rational less than 2^-12 below log2 n."""
+    return mpq((mpz(n) ** (1 << _LOG_BITS)).bit_length() - 1, 1 << _LOG_BITS)
 
 
 def check_vertex_count(verification: Verification, corner_count: int) -> Verdict:

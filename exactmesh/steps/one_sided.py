@@ -22,7 +22,7 @@ from exactmesh.geometry.predicates import doubled_area
 from exactmesh.steps.constants import FEATURE_SQUARED
 from exactmesh.steps.frame import Candidate, Frame, frame_of
 from exactmesh.steps.heights import height_squared
-from exactmesh.steps.layers import layered_candidates
+from exactmesh.steps.layers import layered_below, layered_candidates
 from exactmesh.steps.nested import nested_below, nested_candidates
 from exactmesh.steps.quad import centre_value, centres
 from exactmesh.steps.records import Cycle, Piece
@@ -71,7 +71,7 @@ def split_faces(gaps: int, i: int) -> tuple[Cycle, ...]:
 
 def _candidates(frame: Frame, proper: bool) -> Iterator[Candidate]:
     """Yield split, nested or layered, then for one gap centres and for a few gaps hubs, then what the proof rests on
-    where none is good enough: nested along the clean side."""
+    where none is good enough: nested or layered along the clean side."""
     yield from _splits(frame)
     yield from layered_candidates(frame) if proper else nested_candidates(frame)
     m = len(frame.u) - 1
@@ -81,7 +81,7 @@ def _candidates(frame: Frame, proper: bool) -> Iterator[Candidate]:
         yield from _hubs(frame)
     if m > 1 and not proper:
         yield _hub_between_fans(frame)
-    if not proper and (below := nested_below(frame)) is not None:
+    if (below := layered_below(frame) if proper else nested_below(frame)) is not None:
         yield below
 
 

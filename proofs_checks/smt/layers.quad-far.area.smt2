@@ -1,0 +1,14 @@
+; layers.quad-far.area: the further neighbour and the two of the next row: counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const b Real)
+(declare-const c Real)
+(declare-const d Real)
+(declare-const k Real)
+(assert (>= (+ (* 1.0 k) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- 2.0)) 0.0))
+(assert (>= (* 1.0 c) 0.0))
+(assert (>= (+ (* (- 1.0) c) (* 1.0 k)) 0.0))
+(assert (>= (* 1.0 b) 0.0))
+(assert (>= (+ (* (- 1.0) b k) (* (- 1.0) c k) (* (- 1.0) d k)) 0.0))
+(check-sat)

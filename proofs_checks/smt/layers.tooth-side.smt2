@@ -1,0 +1,15 @@
+; layers.tooth-side: a tooth over W, its apex p along: the height over a side
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const W Real)
+(declare-const d Real)
+(declare-const m Real)
+(declare-const p Real)
+(assert (>= (+ (* 1.0 m) (/ 1.0 2.0)) 0.0))
+(assert (>= (+ (* (- 1.0) m) (/ 1.0 2.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- 1.0)) 0.0))
+(assert (>= (+ (* 1.0 W) (- 2.0)) 0.0))
+(assert (>= (* 1.0 p) 0.0))
+(assert (>= (+ (* 1.0 W) (* (- 1.0) p)) 0.0))
+(assert (> (+ (* (- 1.0) W W d d) (* (/ 9.0 25.0) m m p p) (* (- (/ 18.0 25.0)) d m p) (* (/ 9.0 25.0) d d) (* (/ 9.0 25.0) p p)) 0.0))
+(check-sat)
