@@ -216,6 +216,14 @@ class TestCases:
         for holds, fails in ((good, bad), (bad, good)):
             assert message(lambda holds=holds, fails=fails: refute(
                 given, {"kind": "cases", "on": "y >= 0", "holds": holds, "fails": fails})) != ""
+        # What is open besides a case with cases of its own must be refuted as well.
+        inner = {"kind": "cases", "on": "z >= 0", "holds": good, "fails": good}
+        refute(given, {"kind": "cases", "on": "y >= 0", "holds": inner, "fails": inner})
+        for holds, fails in ((inner, bad), (bad, inner), (inner, {**inner, "holds": bad}),
+                             ({**inner, "fails": bad}, inner)):
+            assert message(lambda holds=holds, fails=fails: refute(
+                given, {"kind": "cases", "on": "y >= 0", "holds": holds, "fails": fails})
+                           ) == "the combination is not zero"
         # y > 0 and its opposite -y >= 0, each with the number 2.
         given = constraints("y - 1 >= 0", "-y - 1 >= 0")
         refute(given, {"kind": "cases", "on": "y > 0",
@@ -253,7 +261,7 @@ class TestBoxes:
 
     @pytest.mark.parametrize("text, violated", [
         ("-x - 1 >= 0", True), ("-x >= 0", False), ("-x > 0", True), ("1/2 - x > 0", False), ("x + 1 == 0", True),
-        ("-x - 1 == 0", True), ("x == 0", False), ("x - 1/2 == 0", False), ("x + 1 >= 0", False), ("x - 2 > 0", True),
+        ("-x - 1 == 0", True), ("x == 0", False), ("-x == 0", False), ("x - 1/2 == 0", False), ("x + 1 >= 0", False), ("x - 2 > 0", True),
         ("-1 >= 0", True), ("0 > 0", True), ("0 >= 0", False)])
     def test_an_assumption_is_violated_throughout_or_not(self, text: str, violated: bool) -> None:
         assert is_violated(constraint_from_text(text), ["x"], ((mpq(0), mpq(1)),)) is violated
@@ -262,6 +270,7 @@ class TestBoxes:
         given = constraints("x - 1 >= 0", "2*x - 3 > 0", "5 - x >= 0", "9 - 2*x > 0", "x == 0", "x*y >= 0",
                             "y + 7 >= 0", "x**2 - 4 >= 0", "x - y >= 0", "3*z >= 0", "-z > 0")
         assert bounds(given, "x") == (mpq(3, 2), mpq(9, 2))
+        assert bounds(constraints("x - 2 == 0", "-x - 3 == 0"), "x") == (None, None)
         assert bounds(given, "y") == (-7, None) and bounds(given, "z") == (0, 0) and bounds(given, "w") == (None, None)
 
     def test_the_unit_box_keeps_signs(self) -> None:
