@@ -5,29 +5,23 @@ Whatever is proved or refuted later leaves this list; the tests see to it that i
 
 from types import MappingProxyType
 
-_ANY = ("it speaks of all constructions there may be, and of growth as n grows, which is outside the algebra of reals;"
-        " ")
 _WHOLE = ("it follows from claims about faces of the repaired construction, not all of which are proved; ")
-_SWEEP = ("it is about which vertices and edges a sweep joins, not about finitely many real numbers: no engine for "
-          "polynomials settles it; ")
-_RUN = _SWEEP + "checked on every run, and no exception is known"
-_SECTION_5 = ("without O it says nothing of the constant; with 6875, which every run asserts, it follows from what is "
-              "proved of strips for a mesh with O(n) triangles of heights Omega(mfs), which is `repaired.degradation` "
-              "and `repaired.steiner-count`")
 
 UNSETTLED = MappingProxyType({
     "section-1.linear-time": (
         "a running time is no statement about numbers; ours is near-linear, measured by `exactmesh bench`"),
-    "section-1.proper-lower-bound": _ANY + "the paper gives neither a proof nor the inputs",
+    "section-1.proper-lower-bound": (
+        "it speaks of all triangulations there may be, and of growth as n grows; the paper gives neither a proof nor "
+        "the inputs, but cites them"),
     "section-1.holes": (
-        "it is about a program that the paper does not describe; the repaired construction takes holes, and is checked"
-        " on each"),
+        "what is trivial is no statement about numbers; the bounds are proved of polygons with holes by the repaired "
+        "construction (`abstract.nonproper`, `abstract.proper`)"),
     "table-1.internal": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "theorem-3.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.internal-degradation`)"),
-    "theorem-3.triangulation": _RUN,
-    "section-5.pieces": _SECTION_5,
-    "section-5.pieces-many": _SECTION_5,
+    "theorem-3.triangulation": (
+        "internal meshes trim chords and pass vertices on from room to room, up to the boundary, in more kinds of "
+        "cases than have been listed; every mesh is verified, and no exception is known"),
     "repaired.tube-feature": (
         "strips with a parallel clean side are proved but for the last 8 percent, slanted ones are not; no search "
         "found a face below the bound"),
