@@ -20,6 +20,7 @@ Tight   34 for an isolated vertex, 50.6 for a cap of five vertices; 15.3 is the 
 By hand the list of charges (`CHARGES`).
 """
 
+from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -106,12 +107,12 @@ class _Counting(PatchBuilder):
 
     gaps = quads = degenerate = 0
 
-    def add_one_sided(self, t_side: list[int], a: int, b: int) -> None:
+    def add_one_sided(self, t_side: Sequence[int], a: int, b: int) -> None:
         """Count the gaps; a fan of one anchor has no new vertex."""
         if a != b:
             self.gaps += len(t_side) - 1
 
-    def add_quad(self, corners: list[int]) -> None:
+    def add_quad(self, corners: Sequence[int]) -> None:
         """Count the quadrilateral."""
         if len({self.points[v] for v in corners}) == 4:
             self.quads += 1

@@ -67,7 +67,9 @@ def extreme(d: Point) -> list[int]:
 def vertices_at(d0: Point, d1: Point) -> list[Point]:
     """Return what the offset has at a corner at the origin, half a level off: snapping moves it by 0."""
     before, zero, after = Point(-d0.x, -d0.y), Point(mpq(0), mpq(0)), d1
-    points, origin, walk = [before, zero, after], (0, 1, 1, 2, 2, 0), (0, 2, 4)
+    points = [before, zero, after]
+    origin: tuple[int, ...] = (0, 1, 1, 2, 2, 0)
+    walk: tuple[int, ...] = (0, 2, 4)
     if before == after:
         points, origin, walk = points[:2], (0, 1), (0, 1)
     made = offset(Shape(mpq(1), tuple(points), origin, ((walk,),), ((),), ()))

@@ -208,8 +208,9 @@ def defined(q: Offset) -> set[Shape]:
                 begin = begun[left, right]
                 corners = tuple(corner(edge, level) for edge, level in (
                     (left, begin), (right, begin), (right, high), (left, high)))
-                sides = (tuple(v for v in on(left, right, level) if (v, -1) not in corners) for level in (begin, high))
-                found.add((begin, high, left, right, corners, *sides))
+                bottom, top = (tuple(v for v in on(left, right, level) if (v, -1) not in corners)
+                               for level in (begin, high))
+                found.add((begin, high, left, right, corners, bottom, top))
     return found
 
 

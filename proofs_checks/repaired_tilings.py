@@ -25,12 +25,13 @@ from itertools import combinations, pairwise, product
 from typing import NamedTuple
 
 from gmpy2 import mpq
-from kit import Hint, Statement, Theorem, at_least, cross, equal, main, more, spot, states
+from kit import Hint, Spot, Statement, Theorem, at_least, cross, equal, main, more, spot, states
 from repaired_caps import OCTAGON
 from repaired_separation import STATEMENTS as SEPARATION
 
 from exactmesh.geometry.point import Point
 from exactmesh.measure.face_feature import NotTriangle, corners_of
+from exactmesh.proofs.certificate import Constraint
 from exactmesh.proofs.polynomial import variables
 from exactmesh.steps.constants import LEVEL, WEDGE_HEIGHTS
 from exactmesh.steps.frame import frame_of
@@ -174,7 +175,7 @@ def tube_blocks() -> int:
     return count + 1
 
 
-def turns(id_: str, says: str, hypotheses: tuple[object, ...], corners: Sequence[object]) -> Statement:
+def turns(id_: str, says: str, hypotheses: tuple[Constraint, ...], corners: Sequence[Spot]) -> Statement:
     """Return that three points turn left."""
     p, q, r = corners
     return states(f"tiles.{id_}", f"{says}: turns left", hypotheses, more(cross(q.minus(p), r.minus(p))),
