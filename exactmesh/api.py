@@ -98,7 +98,8 @@ def mesh(pslg: Pslg, construction: ConstructionName | None = None, kind: Kind = 
     max(21.6, 9 (1 + log2 n)) for n corners; an internal one keeps the internal feature size up to a factor of 45, may
     split edges of the input, and is made where every edge has the domain on one side; a classic one adds no vertex and
     promises nothing (`optimal`: the best one of one simple polygon). "paper" is the published construction, for one
-    simple polygon; when none is named the kind decides.
+    simple polygon; "coarse" the repaired one in a balance designed for 17.3, which some inputs break, for nonproper
+    meshes; when none is named the kind decides.
 
     Every step is checked exactly and the mesh is verified; what fails is told by `Meshing.judgements`, not raised.
     `progress` is called with the name of each step. Raises `InputError` when `pslg` is none, encloses nothing, or is

@@ -9,7 +9,7 @@ def add_construction(command: argparse.ArgumentParser, default: str | None) -> N
     """Add `--construction`, and `--paper` for what the paper leaves open."""
     command.add_argument("--construction", choices=("repaired", "paper", "coarse"), default=default,
                          help="the repaired construction; the published one to the letter; or the repaired one with "
-                         "thinner levels, designed for 17.3, of which less is proved (nonproper meshes)")
+                         "thinner levels, designed for 17.3, which some inputs break (nonproper meshes)")
     command.add_argument("--paper", metavar="NAME=VALUE", action="append", default=[], type=_paper_option,
                          help="what the paper leaves open, for --construction paper: " + "; ".join(
                              f"{name}={'|'.join(values)}" for name, values in PAPER_CHOICES.items()))
