@@ -2,8 +2,8 @@
 
 Every claim is judged on every witness that comes with the package, in every construction it concerns, on meshes of the
 first kind it names. It is "refuted" when it fails on one, or certificates that are re-checked now disprove it, else
-"proved" when such certificates prove it for all inputs, "holds" when there were instances and none failed, "open" when
-there were none.
+"proved" when such certificates prove it for all inputs, of that construction or of all, "holds" when there were
+instances and none failed, "open" when there were none.
 """
 
 from collections.abc import Callable, Iterable
@@ -18,7 +18,7 @@ from exactmesh.errors import InputError
 from exactmesh.io.read import read_pslg
 from exactmesh.measure.verdict import Verdict
 from exactmesh.planar.mesh import Kind
-from exactmesh.proofs.registry import is_proved, is_refuted
+from exactmesh.proofs.registry import is_proved, is_proved_of_repaired, is_refuted
 
 Known = Literal["proved", "holds", "refuted", "open"]
 
@@ -91,4 +91,6 @@ def _judged(claim: Claim, construction: ConstructionName, names: list[str],
             refuted = name, verdict
     if refuted is not None:
         return Judged(construction, "refuted", instances, *refuted)
+    if construction == "repaired" and is_proved_of_repaired(claim.id):
+        return Judged(construction, "proved", instances)
     return Judged(construction, "holds" if instances else "open", instances)

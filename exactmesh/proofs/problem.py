@@ -86,9 +86,9 @@ class Theorem:
     """What a set of problems shows of a claim of the ledger.
 
     `shows` is "claim" for the sentence as the ledger has it, "corrected" for its corrected form, "refuted" for its
-    negation, "part" when more is needed. `by_hand` is the argument from the sentence to the problems, which no program
-    checks, `tight` what is known of the sharpness of the bound, with its exact instance. `claims` are those that have
-    to be proved as well.
+    negation, "repaired" for the sentence in runs of the repaired construction, "part" when more is needed. `by_hand`
+    is the argument from the sentence to the problems, which no program checks, `tight` what is known of the sharpness
+    of the bound, with its exact instance. `claims` are those that have to be proved as well.
     """
 
     claim: str

@@ -80,6 +80,11 @@ def is_proved(claim: str) -> bool:
     return _shown(claim, "claim")
 
 
+def is_proved_of_repaired(claim: str) -> bool:
+    """Return whether certificates prove the claim of runs of the repaired construction."""
+    return _shown(claim, "repaired")
+
+
 def is_refuted(claim: str) -> bool:
     """Return whether certificates refute the claim as the ledger has it."""
     return _shown(claim, "refuted")

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from exactmesh.proofs.prove import Result, Summary
 
 _SHOWS = {"claim": "proved", "corrected": "corrected form proved", "refuted": "refuted",
-          "part": "part proved"}
+          "repaired": "proved of the repaired construction", "part": "part proved"}
 
 
 def proofs_json(results: Iterable[Result]) -> str:

@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from exactmesh.claims.ledger import CLAIMS
+from exactmesh.claims.ledger import CLAIMS, claim_by_id
+from exactmesh.claims.status import ledger
 from exactmesh.proofs import registry
 from exactmesh.proofs.problem import Group, group_from_json, json_from_group
 from exactmesh.proofs.prove import prove, summaries
@@ -44,3 +45,11 @@ def test_what_rests_on_an_open_claim_does_not_stand(monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr("exactmesh.proofs.prove.groups", lambda: (changed,))
     found, = summaries(list(prove(theorem.problems, fast=True)))
     assert not found.stands
+
+
+def test_the_bounds_of_theorem_1_are_proved_of_the_repaired_construction_only() -> None:
+    for name in ("theorem-1.degradation", "theorem-1.feature-size"):
+        entry, = ledger([claim_by_id(name)])
+        assert entry.status == "refuted" and not entry.proved
+        assert [(judged.construction, judged.status) for judged in entry.judged] == [
+            ("paper", "refuted"), ("repaired", "proved")]
