@@ -9,6 +9,7 @@ from recorded import recorded
 
 from exactmesh.geometry.decisions import decisions, forget
 from exactmesh.geometry.point import Point
+from exactmesh.measure.verdict import Verdict, Witness
 from exactmesh.steps import patch_check
 from exactmesh.steps.constants import EDGE_GAP, FEATURE
 from exactmesh.steps.patch_check import (
@@ -18,6 +19,7 @@ from exactmesh.steps.patch_check import (
     check_interior_tiling,
     check_tube_tiling,
     recorded_on_edges,
+    with_bound,
 )
 from exactmesh.steps.records import Patch
 
@@ -279,3 +281,19 @@ def test_gaps_below_the_bound_are_refused():
     assert not verdict.holds and verdict.instances == 3
     assert verdict.witness.place == {"edge_of_q": edge, "vertices": [first, first + 1], "at": str(ends[0])}
     assert decisions()["edge gap"].by_floats + decisions()["edge gap"].exactly == 3
+
+
+@pytest.mark.parametrize("feature, holds", [
+    (FEATURE, True), (FEATURE + mpq(1, 10**30), False), (FEATURE / 2, True), (mpq(1), False)])
+def test_another_bound_judges_the_same_worst_value(feature, holds):
+    points = [Point(mpq(0), mpq(0)), Point(mpq(9), mpq(0)), Point(mpq(4), FEATURE)]
+    exact = check_feature(Patch(3, (), ((0, 1, 2),)), points)
+    verdict = with_bound(exact, feature)
+    assert (verdict.holds, verdict.worst, verdict.instances) == (holds, FEATURE**2, 1)
+    assert (verdict.witness.clause, verdict.witness.place) == (f"feature size >= {feature}", exact.witness.place)
+
+
+def test_another_bound_leaves_a_verdict_without_a_value_alone():
+    place = Witness("faces are triangles", {})
+    for verdict in (Verdict(0, True), Verdict(3, False, None, place), Verdict(3, True, mpq(1), None)):
+        assert with_bound(verdict, mpq(5)) is verdict
