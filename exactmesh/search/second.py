@@ -465,6 +465,7 @@ _ROADS: dict[str, Callable[[Made], Value | None]] = {
     "theorem-1.degradation": _degradation,
     "repaired.degradation": _degradation,
     "repaired.proper-degradation": _degradation,
+    "repaired.proper-degradation-22": _degradation,
     "degradation": _degradation,
     "proper-degradation": _degradation,
     "theorem-1.steiner-count": lambda made: Fraction(len(made.mesh) - len(made.points), len(made.corners)),

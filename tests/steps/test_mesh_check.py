@@ -17,6 +17,7 @@ from exactmesh.steps.mesh_check import (
     check_paper_degradation,
     check_paper_feature,
     check_proper_degradation,
+    check_proper_logarithm,
     check_valid,
     check_vertex_count,
 )
@@ -83,6 +84,15 @@ def test_a_proper_mesh_pays_a_logarithm(corners, bound):
     assert not verdict.holds and verdict.witness.clause == "degradation <= max(21.6, 9 (1 + log2 n))"
 
 
+@pytest.mark.parametrize("corners, bound", [(4, 66), (8, 88), (1024, 242)])
+def test_what_is_proved_of_a_proper_mesh(corners, bound):
+    exact = mpq(bound) ** 2
+    assert check_proper_logarithm(degraded(exact), corners).holds
+    verdict = check_proper_logarithm(degraded(exact + TINY), corners)
+    assert not verdict.holds and verdict.witness.clause == "degradation <= 22 (1 + log2 n)"
+    assert check_proper_logarithm(invalid(), corners).witness.clause == "the mesh is valid"
+
+
 @pytest.mark.parametrize("corners", [3, 5, 6, 7, 100, 999, 10**6 + 1])
 def test_the_logarithm_is_rounded_down_and_by_little(corners):
     bound = 9 * (1 + log2(corners))
@@ -125,7 +135,8 @@ def test_the_bound_of_internal_meshes_is_strict(squared, holds):
 def test_every_clause_is_tested_above():
     assert clauses_of(mesh_check) == {
         "degradation < 45", "degradation <= 21.6", "degradation <= max(21.6, 9 (1 + log2 n))",
-        "ifs degradation < 45", "mfs >= 0.022 mfs(P)", "Steiner vertices <= {} a corner", "the mesh is valid"}
+        "degradation <= 22 (1 + log2 n)", "ifs degradation < 45", "mfs >= 0.022 mfs(P)",
+        "Steiner vertices <= {} a corner", "the mesh is valid"}
 
 
 def test_verdicts_say_all_there_is_to_say():
