@@ -39,8 +39,8 @@ _SECONDS = 300
 _ALL_PAIRS = 1500
 _VALIDITY = ("theorem-1.triangulation", "theorem-2.triangulation")
 _ON_MESH = ("theorem-1.feature-size", "theorem-1.degradation", "repaired.degradation", "repaired.proper-degradation",
-            "repaired.proper-degradation-22", "degradation", "proper-degradation", "theorem-1.steiner-count", "repaired.steiner-count",
-            "coarse.degradation", "coarse.steiner-count", "steiner-per-vertex", *_VALIDITY)
+            "repaired.proper-degradation-22", "degradation", "proper-degradation", "theorem-1.steiner-count",
+            "repaired.steiner-count", "coarse.degradation", "coarse.steiner-count", "steiner-per-vertex", *_VALIDITY)
 
 
 class Answer(NamedTuple):
