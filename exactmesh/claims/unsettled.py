@@ -22,12 +22,6 @@ UNSETTLED = MappingProxyType({
     "theorem-3.triangulation": (
         "internal meshes trim chords and pass vertices on from room to room, up to the boundary, in more kinds of "
         "cases than have been listed; every mesh is verified, and no exception is known"),
-    "repaired.tube-feature": (
-        "strips with a parallel clean side are proved but for the last 8 percent, slanted ones are not; no search "
-        "found a face below the bound"),
-    "repaired.degradation": (
-        "it is the least of its faces, of which those of the Interior are proved and those of the Tube as far as "
-        "`repaired.tube-feature` is; the worst of all searches is 21.5518"),
     "repaired.internal-degradation": _WHOLE + "the worst of all searches is 22.04",
     "repaired.proper-degradation": (
         "proved is 22 (1 + log2 n), `repaired.proper-degradation-22`: the number of gaps in a piece is counted with "

@@ -16,7 +16,7 @@ WIDE = mpq(817, 2000)
 # Every face keeps at least this feature size; its inverse, 5/g = 21.5517, is what the degradation cannot exceed.
 FEATURE = LEVEL / 5
 FEATURE_SQUARED = FEATURE**2
-# What is proved of every face of the Tube: above mfs/45, by more than what m may be below the mfs.
+# Above mfs/45, by more than what m may be below the mfs: what the paper's promise asks of the Tube.
 TUBE_FEATURE = mpq(223, 10000)
 
 # The unit m is a rational at most this much, relatively, below the mfs.

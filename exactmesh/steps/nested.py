@@ -25,9 +25,9 @@ from exactmesh.steps.frame import MODES, REACHES, Candidate, Face, Frame, Mode, 
 _ZERO = mpq(0)
 _HEIGHTS = (mpq(1, 5), mpq(23, 100))
 _HEIGHTS_FEW_GAPS = (mpq(1, 5), mpq(1, 4), mpq(1, 3), mpq(2, 5))
-# Below a clean side that slants: the height of leaders, and the greatest inset, in heights of the T-side.
-BELOW_HEIGHT = mpq(4, 5)
-BELOW_INSET = mpq(1, 2)
+# Of a height, below a clean side that slants: how deep leaders stand under the T-side, and the greatest inset.
+_DEPTH = mpq(1, 5)
+_BELOW_INSET = mpq(1, 2)
 
 
 def nested_candidates(frame: Frame) -> Iterator[Candidate]:
@@ -58,12 +58,13 @@ def nested_below(frame: Frame) -> Candidate | None:
     """Return the nested triangulation that is laid out along the clean side, None where it has no place.
 
     Heights are those over the clean side, which is of length 1 here, from (0, 0) to (1, 0), the T-side above it. So the
-    long triangles are those of a strip, however much the T-side slants, and wherever the anchors are.
+    long triangles are those of a strip, however much the T-side slants, and wherever the anchors are. A leader keeps a
+    fifth of the height from the line of the T-side, for 1 + s^2/2 is above the root of 1 + s^2, s the slope.
     """
     a, along = frame.a, minus(frame.b, frame.a)
     length_squared = dot(along, along)
     places = [(dot(to, along) / length_squared, cross(to, along) / length_squared)
-              for to in (minus(Point(u, mpq(0)), a) for u in frame.u)] if length_squared else []
+              for to in (minus(Point(u, _ZERO), a) for u in frame.u)] if length_squared else []
     if not places or places[0][0] >= places[-1][0]:
         return None
     xs = [x for x, _ in places]
@@ -73,10 +74,11 @@ def nested_below(frame: Frame) -> Candidate | None:
     if h0 <= 0 or start >= end:
         return None
     u = tuple(xs[start : end + 1])
-    insets = [min((v - w) / 2, BELOW_INSET * h0) for w, v in pairwise(u)]
+    insets = [min((v - w) / 2, _BELOW_INSET * h0) for w, v in pairwise(u)]
     z, z_x = _middle(u, insets, mpq(1, 2))
-    found = _over(frame, _Layout(start, end, z, _abscissae(u, insets, z, z_x)), Point(mpq(0), mpq(0)),
-                  Point(mpq(1), mpq(0)), BELOW_HEIGHT * h0)
+    slope = (places[-1][1] - places[0][1]) / (xs[-1] - xs[0])
+    found = _over(frame, _Layout(start, end, z, _abscissae(u, insets, z, z_x)), Point(_ZERO, _ZERO),
+                  Point(mpq(1), _ZERO), h0 - _DEPTH * h0 * (1 + slope**2 / 2), _DEPTH * h0)
     if found is None:
         return None
     apexes = tuple(Point(a.x + x * along.x + y * along.y, a.y + x * along.y - y * along.x) for x, y in found.steiner)

@@ -129,6 +129,11 @@ def _centred(frame: Frame) -> Iterator[Candidate]:
     indices, points = _outline(frame)
     for centre in centres(points):
         yield _star(indices, points, centre)
+    # Half way across from the middle of the T-side, at a right angle to it: better where that is short and slants.
+    a, b, middle = frame.a, frame.b, frame.u[1] / 2
+    if a.x != b.x:
+        above = a.y + (b.y - a.y) * (middle - a.x) / (b.x - a.x)
+        yield _star(indices, points, Point(middle, above / 2))
 
 
 def _hubs(frame: Frame) -> Iterator[Candidate]:

@@ -1,4 +1,4 @@
-; slanted.fan-right: v right of A: the line of e' is 0.1759 above A
+; slanted.fan-right: v = (x, y) right of A: how far the line of e' is above A
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const h Real)
@@ -12,5 +12,5 @@
 (assert (>= (+ (* 1.0 h) (* (- 1.0) x) (- (/ 599.0 5000.0))) 0.0))
 (assert (>= (+ (* 1.0 s) (/ 1.0 2.0)) 0.0))
 (assert (>= (+ (* (- 1.0) s) (/ 1.0 2.0)) 0.0))
-(assert (> (+ (* 1.0 s x) (* (- 1.0) y) (/ 1759.0 10000.0)) 0.0))
+(assert (> (+ (* 2.0 s x) (* 1.0 h) (* (- 2.0) y) (/ 599.0 5000.0)) 0.0))
 (check-sat)

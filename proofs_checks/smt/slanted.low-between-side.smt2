@@ -1,4 +1,4 @@
-; slanted.low-between-side: two apexes, p and q beside v, d and r deep: the height over v-apex
+; slanted.low-between-side: two apexes, p and q beside v, d and r deep: the height over v-apex, p along e' and d
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const d Real)
@@ -10,7 +10,8 @@
 (assert (>= (+ (* 1.0 q) (- (/ 599.0 10000.0))) 0.0))
 (assert (>= (+ (* 1.0 s) (/ 1.0 2.0)) 0.0))
 (assert (>= (+ (* (- 1.0) s) (/ 1.0 2.0)) 0.0))
+(assert (>= (+ (* (- (/ 29.0 1250.0)) s s) (* 1.0 d) (- (/ 29.0 625.0))) 0.0))
 (assert (>= (+ (* 1.0 d) (- (/ 29.0 625.0))) 0.0))
-(assert (>= (+ (* 1.0 r) (- (/ 29.0 625.0))) 0.0))
-(assert (> (+ (* (- 2.0) d p q r) (* (- 1.0) d d q q) (* (- 1.0) p p r r) (* (/ 49729.0 100000000.0) p p s s) (* (/ 49729.0 50000000.0) d p s) (* (/ 49729.0 100000000.0) d d) (* (/ 49729.0 100000000.0) p p)) 0.0))
+(assert (>= (+ (* (- (/ 29.0 1250.0)) s s) (* 1.0 r) (- (/ 29.0 625.0))) 0.0))
+(assert (> (+ (* (/ 29.0 1250.0) p s s) (* (- 1.0) d q) (* (- 1.0) p r) (* (/ 29.0 625.0) d) (* (/ 29.0 625.0) p)) 0.0))
 (check-sat)

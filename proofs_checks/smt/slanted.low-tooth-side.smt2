@@ -1,15 +1,15 @@
-; slanted.low-tooth-side: a tooth over a gap q, its apex p along: the height over a side
+; slanted.low-tooth-side: a tooth over a gap q, its apex p along: the height over a side, p along e' and d
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const d Real)
 (declare-const p Real)
 (declare-const q Real)
 (declare-const s Real)
-(assert (>= (+ (* 1.0 q) (- (/ 599.0 5000.0))) 0.0))
 (assert (>= (+ (* 1.0 s) (/ 1.0 2.0)) 0.0))
 (assert (>= (+ (* (- 1.0) s) (/ 1.0 2.0)) 0.0))
+(assert (>= (+ (* (- (/ 29.0 1250.0)) s s) (* 1.0 d) (- (/ 29.0 625.0))) 0.0))
 (assert (>= (+ (* 1.0 d) (- (/ 29.0 625.0))) 0.0))
 (assert (>= (* 1.0 p) 0.0))
-(assert (>= (+ (* (- 1.0) p) (* 1.0 q)) 0.0))
-(assert (> (+ (* (- 1.0) d d q q) (* (/ 49729.0 100000000.0) p p s s) (* (- (/ 49729.0 50000000.0)) d p s) (* (/ 49729.0 100000000.0) d d) (* (/ 49729.0 100000000.0) p p)) 0.0))
+(assert (>= (+ (* (- 1.0) p) (* 1.0 q) (- (/ 599.0 10000.0))) 0.0))
+(assert (> (+ (* (/ 29.0 1250.0) p s s) (* (- 1.0) d q) (* (/ 29.0 625.0) d) (* (/ 29.0 625.0) p)) 0.0))
 (check-sat)

@@ -1,4 +1,4 @@
-; slanted.one-above.area: (z, C, D), z the centre: counter-clockwise
+; slanted.one-above.area: (z, C, D), z straight down: counter-clockwise
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const d Real)
@@ -8,8 +8,8 @@
 (assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
 (assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
 (assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
-(assert (>= (+ (* 1.0 d) (- (/ 559.0 10000.0))) 0.0))
-(assert (>= (+ (* 1.0 r) (/ 1.0 25.0)) 0.0))
-(assert (>= (+ (* (- 1.0) r) (/ 1.0 25.0)) 0.0))
-(assert (>= (+ (* (- (/ 1.0 4.0)) d r) (* (- (/ 1.0 2.0)) d t)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 107.0 2000.0))) 0.0))
+(assert (>= (+ (* (- (/ 7.0 20.0)) d r) (* (- (/ 7.0 10.0)) d t)) 0.0))
 (check-sat)

@@ -1,4 +1,4 @@
-; slanted.one-above.height-1: (z, C, D), z the centre: the height from corner 1
+; slanted.one-above.height-1: (z, C, D), z straight down: the height from corner 1
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const d Real)
@@ -8,8 +8,8 @@
 (assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
 (assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
 (assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
-(assert (>= (+ (* 1.0 d) (- (/ 559.0 10000.0))) 0.0))
-(assert (>= (+ (* 1.0 r) (/ 1.0 25.0)) 0.0))
-(assert (>= (+ (* (- 1.0) r) (/ 1.0 25.0)) 0.0))
-(assert (> (+ (* (- (/ 1.0 4.0)) d d r t) (* (- (/ 1.0 16.0)) d d r r) (* (- (/ 1.0 4.0)) d d t t) (* (/ 49729.0 100000000.0) d d) (* (/ 49729.0 100000000.0) r r)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 107.0 2000.0))) 0.0))
+(assert (> (+ (* (- (/ 49.0 100.0)) d d r t) (* (- (/ 49.0 400.0)) d d r r) (* (- (/ 49.0 100.0)) d d t t) (* (/ 841.0 390625.0) d d) (* (/ 841.0 390625.0) r r)) 0.0))
 (check-sat)

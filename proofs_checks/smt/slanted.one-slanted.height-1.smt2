@@ -1,4 +1,4 @@
-; slanted.one-slanted.height-1: (B, C, D), e' rising by 1/25 or more: the height from corner 1
+; slanted.one-slanted.height-1: (B, C, D), e' rises by 0.0464 or more: the height from corner 1
 ; unsat: true for all reals
 (set-logic QF_NRA)
 (declare-const X Real)
@@ -11,9 +11,10 @@
 (assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
 (assert (>= (* 1.0 d) 0.0))
 (assert (>= (+ (* 1.0 d d) (* 1.0 r r) (- (/ 1849.0 390625.0))) 0.0))
-(assert (>= (+ (* 1.0 r) (- (/ 1.0 25.0))) 0.0))
-(assert (>= (+ (* (/ 169.0 50.0) d) (* (- 1.0) r)) 0.0))
 (assert (>= (+ (* 1.0 X) (- (/ 61.0 250.0))) 0.0))
+(assert (>= (+ (* 1.0 X) (* 1.0 t) (- (/ 177.0 250.0))) 0.0))
 (assert (>= (+ (* 1.0 X) (* (- 1.0) d) (/ 4701.0 10000.0)) 0.0))
-(assert (> (+ (* (- 2.0) X d r t) (* (- 1.0) X X r r) (* (- 1.0) d d t t) (* (/ 49729.0 100000000.0) d d) (* (/ 49729.0 100000000.0) r r)) 0.0))
+(assert (>= (+ (* 1.0 r) (- (/ 29.0 625.0))) 0.0))
+(assert (>= (+ (* (/ 169.0 50.0) d) (* (- 1.0) r)) 0.0))
+(assert (> (+ (* (- 2.0) X d r t) (* (- 1.0) X X r r) (* (- 1.0) d d t t) (* (/ 841.0 390625.0) d d) (* (/ 841.0 390625.0) r r)) 0.0))
 (check-sat)

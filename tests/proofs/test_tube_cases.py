@@ -1,4 +1,4 @@
-"""The split into cases of `repaired.tube-feature-45`: every face that the steps emit has a case of the script, and the
+"""The split into cases of `repaired.tube-feature`: every face that the steps emit has a case of the script, and the
 hypotheses of its problems are true of it.
 
 Quadrilaterals lie as in the script: e from A = (0,0) to B = (L,0), e' above it. All groupings of few apexes are made on
@@ -19,11 +19,10 @@ from gmpy2 import mpq
 import exactmesh
 from exactmesh.geometry.point import Point
 from exactmesh.geometry.predicates import doubled_area
-from exactmesh.steps.constants import LEVEL, LEVEL_EDGE, THICKNESS_MAX, TUBE_FEATURE
+from exactmesh.steps.constants import FEATURE, LEVEL, LEVEL_EDGE, THICKNESS_MAX
 from exactmesh.steps.frame import Frame, frame_of
 from exactmesh.steps.nested import nested_below
-from exactmesh.steps.one_sided import triangulate_one_sided
-from exactmesh.steps.quad import centres
+from exactmesh.steps.one_sided import _centred, triangulate_one_sided
 from exactmesh.steps.records import Piece
 
 SCRIPTS = Path(exactmesh.__file__).parents[1] / "proofs_checks"
@@ -63,7 +62,8 @@ class Strip(NamedTuple):
     def is_lawful(self, steepest: mpq = mpq(1, 2)) -> bool:
         """Return whether the ends are where `PLACES` says, and the slope is no steeper."""
         return abs(self.slope) <= steepest and all(
-            first.x >= -T and last.x >= mpq(244, 1000) and last.x**2 + last.y**2 >= (1 - T)**2 and G <= first.y <= T
+            first.x >= -T and last.x > 0 and last.x**2 + last.y**2 >= (1 - T)**2 and G <= first.y <= T
+            and (first.x >= 0 or first.x**2 + first.y**2 <= T**2)
             for strip in (self, self.mirrored()) for first, last in [(strip.side[0], strip.side[-1])])
 
 
@@ -102,14 +102,17 @@ def cases(strip: Strip, face: tuple[int, ...], steiner: tuple[Point, ...]) -> It
                 yield "fan-right", {"h": h, "x": v.x, "y": v.y, "s": s}
             else:
                 assert strip.side[-1].x > 0 and c >= h
-                yield "fan-over", {"h": h}
-            yield "fan-apex", {"s": s, "c": c}
+                assert strip.side[-1].x > 0
+                yield "fan-over", {"h": h, "c": c}
+            values = {"h": h, "s": s, "c": c, "q": w.x - v.x}
+            yield "fan-apex", values
             for end in (v, w):
-                yield "fan-side", {"q": w.x - v.x, "c": c, "x": end.x, "y": end.y}
+                yield "fan-ahead" if end.x >= 0 else "fan-behind", {**values, "x": end.x, "y": end.y}
         case ["apex", "v", "v"]:
             v, w = sorted(at[i] for i in vs)
             apex = at[apexes[0]]
             d = v.y + s * (apex.x - v.x) - apex.y
+            yield "low-depth", {"h": h, "y": apex.y + d, "r": apex.y, "s": s}
             yield "low-tooth-apex", {"s": s, "d": d}
             yield "low-tooth-side", {"q": w.x - v.x, "s": s, "d": d, "p": apex.x - v.x}
             yield "low-tooth-side", {"q": w.x - v.x, "s": -s, "d": d, "p": w.x - apex.x}
@@ -117,8 +120,10 @@ def cases(strip: Strip, face: tuple[int, ...], steiner: tuple[Point, ...]) -> It
             (v,), (left, right) = (at[i] for i in vs), sorted(at[i] for i in apexes)
             p, q = v.x - left.x, right.x - v.x
             d, r = v.y - s * p - left.y, v.y + s * q - right.y
-            yield "low-between", {"p": p, "q": q, "s": s, "d": d, "r": r}
-            yield "low-between-side", {"p": q, "q": p, "s": -s, "d": r, "r": d}
+            there, back = {"p": p, "q": q, "s": s, "d": d, "r": r}, {"p": q, "q": p, "s": -s, "d": r, "r": d}
+            yield "low-between-side", there
+            yield "low-between-side", back
+            yield "low-between-above", there if d >= r else back
         case ["A", "apex", "v"]:
             (v,), (apex,) = (at[i] for i in vs), (at[i] for i in apexes)
             values = {"h": h, "x": v.x, "y": v.y, "p": apex.x, "r": apex.y}
@@ -126,13 +131,18 @@ def cases(strip: Strip, face: tuple[int, ...], steiner: tuple[Point, ...]) -> It
         case ["A", "B", *rest] if rest and set(rest) == {"apex"}:
             yield from top(strip, h, [at[i] for i in apexes])
         case ["A", "apex", "apex", *rest] if not rest or set(rest) == {"apex"}:
-            yield from long(h, [at[i] for i in apexes])
+            yield from long(strip, h, [at[i] for i in apexes])
+
+
+def leaders(strip: Strip, h: mpq) -> dict[str, mpq]:
+    """Return the height of leaders, and T, in units of h."""
+    return {"T": FEATURE / h, "c": mpq(4, 5) - strip.slope**2 / 10}
 
 
 def top(strip: Strip, h: mpq, apexes: list[Point]) -> Iterator[Leaf]:
     z = max(apexes, key=lambda v: v.y)
-    values = {"T": TUBE_FEATURE / h, "e": z.x / h, "D": strip.length / h}
-    assert z.y == mpq(4, 5) * h
+    values = {**leaders(strip, h), "e": z.x / h, "D": strip.length / h}
+    assert z.y == values["c"] * h
     yield "low-top.", values
     for member in apexes:
         if member != z:
@@ -144,17 +154,30 @@ def top(strip: Strip, h: mpq, apexes: list[Point]) -> Iterator[Leaf]:
             yield "low-top-member", {**values, "e": middle.x / h, "y": y}
 
 
-def long(h: mpq, apexes: list[Point]) -> Iterator[Leaf]:
-    # The leader is the highest, and the nearest to A of those: the apex farther out is on A-F, F not before it.
+def long(strip: Strip, h: mpq, apexes: list[Point]) -> Iterator[Leaf]:
+    # The apex farthest out is on A-F, F not before it; E is the next.
     *group, leader, apex = sorted(apexes)
-    assert leader.y == mpq(4, 5) * h
+    values = leaders(strip, h)
+    assert leader.y == values["c"] * h
     f = apex.x / apex.y * leader.y
-    values = {"T": TUBE_FEATURE / h, "e": leader.x / h, "f": f / h, "x": apex.x / f}
+    e, d = leader.x / h, (f - leader.x) / h
+    values |= {"e": e, "D": d, "x": apex.x / f}
     yield "low-long", values
+    if e + d <= 1:
+        yield "low-ratio-near", values
+    yield "low-ratio-sum", values
+    slope = abs(strip.slope)
+    yield "low-sunk", {**values, "s": slope, "h": h}
     for member in group:
         y = member.x / leader.x
         assert member.y == y * leader.y
-        yield "low-member", {**values, "y": y}
+        # The rule of the groups, which is no problem: h/5 from the line A-F.
+        assert (member.x * apex.y - member.y * apex.x)**2 * 25 >= h * h * (apex.x**2 + apex.y**2)
+        aside = {**values, "v": 1 - y, "w": 1 - values["x"], "G": (apex.x - leader.x) / h}
+        yield "low-member-end", aside
+        if values["c"]**2 * aside["w"] >= e * aside["G"]:
+            yield "low-member-foot", aside
+            yield "low-member-apex", aside
 
 
 def chosen(strip: Strip) -> Piece:
@@ -183,9 +206,11 @@ def assert_covered(strip: Strip, statements: list[Any], met: set[str]) -> None:
             met.add(prefix)
 
 
-ROLES = {"split", "fan-right", "fan-over", "fan-apex", "fan-side", "low-tooth-apex", "low-tooth-side", "low-between",
-         "low-between-side", "low-end-right.", "low-end-left.", "low-top.", "low-top-below", "low-top-member",
-         "low-long", "low-member"}
+ROLES = {"split", "fan-right", "fan-over", "fan-apex", "fan-ahead", "fan-behind", "low-depth", "low-tooth-apex",
+         "low-tooth-side", "low-between-side", "low-between-above", "low-end-right.", "low-end-left.", "low-top.",
+         "low-top-below", "low-top-member", "low-long", "low-ratio-sum", "low-sunk", "low-member-end"}
+# What no strip at random has: a member whose foot is between E and the apex, a leader within h of A below another.
+RARE = {"low-member-foot", "low-member-apex", "low-ratio-near"}
 PATTERNS = [pattern for count in range(4) for pattern in itertools.product((False, True), repeat=count)]
 
 
@@ -216,7 +241,8 @@ def test_all_groupings_of_few_apexes_have_their_cases(statements: list[Any], fan
         assert_covered(strip, statements, met)
         piece = chosen(strip)
         groupings.add((len(piece.steiner), tuple(sorted(sum(v < 0 for v in face) for face in piece.faces))))
-    by_place = {"split", "fan-right", "fan-over", "fan-apex", "fan-side", "low-end-right.", "low-end-left."}
+    by_place = {"split", "fan-right", "fan-over", "fan-apex", "fan-ahead", "fan-behind", "low-end-right.",
+                "low-end-left."}
     assert len(groupings) > 40 and met >= ROLES - by_place
 
 
@@ -244,8 +270,8 @@ def test_strips_at_random_have_their_cases(statements: list[Any]) -> None:
             seen += 1
             assert_covered(strip, statements, met)
             piece = triangulate_one_sided(strip.side, Point(mpq(0), mpq(0)), Point(strip.length, mpq(0)))
-            assert value_of(strip, piece) >= TUBE_FEATURE**2
-    assert met == ROLES
+            assert value_of(strip, piece) >= FEATURE**2
+    assert met - RARE == ROLES
 
 
 def value_of(strip: Strip, piece: Piece) -> mpq:
@@ -256,55 +282,98 @@ def value_of(strip: Strip, piece: Piece) -> mpq:
                for face in piece.faces)
 
 
-def one_gap(strip: Strip) -> Iterator[tuple[tuple[int, int, int], Leaf]]:
+F = FEATURE
+
+
+def one_gap(strip: Strip) -> Iterator[tuple[tuple[int, int, int], list[Leaf]]]:
     """Yield the triangles over an e' without vertices that rises, and their cases: D, C, B, A, z are 0, 1, 2, 3, 4."""
     (a, t), (b, u) = strip.side
     d, r, length = b - a, u - t, strip.length
-    right = length - b
-    if r >= mpq(1, 25):
-        yield (2, 1, 0), ("one-slanted.", {"X": length - a, "d": d, "r": r, "t": t})
-        yield (3, 2, 0), ("split", {"L": length, "x": a, "y": t})
+    x, right = length - a, length - b
+    clean = {"X": x, "d": d, "r": r, "t": t}
+    if r >= F or (100 * d <= mpq(535, 100) and x <= 2):
+        names = ["one-near."]
+        if r >= F:
+            names = ["one-slanted.", "one-slanted-back" if d >= x else "one-slanted-bc-",
+                     "one-slanted-bd-"]
+            names = [name + ("wide" if d >= F else "steep") if name[-1] == "-" else name for name in names]
+            if d <= F:
+                names += [name.replace("steep", "far") for name in names if "steep" in name]
+        yield (2, 1, 0), [(name, clean) for name in names]
+        yield (3, 2, 0), [("split", {"L": length, "x": a, "y": t})]
         return
-    flat = {"d": d, "r": r, "t": t}
-    yield (4, 1, 0), ("one-wide", flat)
-    yield (4, 1, 0), ("one-above.", flat)
-    yield (3, 4, 0), ("one-right." if a >= 0 else "one-left.", {**flat, "a": a})
-    yield (4, 2, 1), ("one-right." if right >= 0 else "one-left.", {"d": d, "r": -r, "t": u, "a": right})
-    yield (3, 2, 4), ("one-below.", {"L": length, "x": (a + b) / 2, "y": (t + u) / 4})
+    z = centre_of(strip)
+    below = ("one-below.", {"L": length, "x": z.x, "y": z.y})
+    yield (3, 2, 4), [below]
+    if 100 * d <= mpq(535, 100):
+        # Bounds instead of roots: the length of e' and of the way to z are only compared with bounds.
+        k = (2 * t + r) / (4 * d)
+        assert z == Point((a + b) / 2 + r * k, (t + u) / 2 - d * k)
+        assert k * k * (d * d + r * r) >= (G / 2)**2 and d * d + r * r >= LEVEL_EDGE**2
+        shifted = {**clean, "x": r * k, "a": a}
+        yield (4, 1, 0), [("one-shift", {**clean, "k": k})]
+        yield (3, 4, 0), [("one-far-right", shifted)]
+        yield (4, 2, 1), [("one-far-b.", shifted)]
+        return
+    yield (4, 1, 0), [("one-above.", clean)]
+    yield (3, 4, 0), [("one-right" if a >= 0 else "one-left", {**clean, "a": a})]
+    yield (4, 2, 1), [("one-right" if right >= 0 else "one-left", {"d": d, "r": -r, "t": u, "a": right})]
+
+
+def centre_of(strip: Strip) -> Point:
+    """Return z: half way to e at a right angle to e' where that is short, else straight down."""
+    (a, t), (b, u) = strip.side
+    if b - a > mpq(535, 10000):
+        return Point((a + b) / 2, 3 * (t + u) / 20)
+    share = (t + u) / 4 / (b - a)
+    return Point((a + b) / 2 + share * (u - t), (t + u) / 4)
 
 
 def random_gap(source: random.Random) -> Strip | None:
     """Return a strip without vertices on e', which rises, or None."""
-    t, u = (mpq(source.choice((2320, 4701, source.randint(2320, 4701))), 10000) for _ in range(2))
+    t = mpq(source.choice((2320, 4237, source.randint(2320, 4701))), 10000)
+    u = t + mpq(source.choice((0, 440, 464, 600, source.randint(0, 2381))), 10000)
     start = source.choice((-T, mpq(source.randint(-470, 600), 1000), mpq(source.randint(0, 4000), 10)))
-    width = source.choice((LEVEL_EDGE, mpq(source.randint(20, 600), 1000), mpq(source.randint(1, 50))))
+    width = source.choice((mpq(52, 1000), mpq(source.randint(20, 70), 1000), mpq(source.randint(20, 600), 1000),
+                           mpq(source.randint(1, 50))))
     end = start + width
     length = max(mpq(1), end + source.choice((-T, mpq(source.randint(-470, 600), 1000), mpq(source.randint(1, 500)))),
                  start + mpq(source.randint(25, 60), 100))
     strip = Strip((Point(start, t), Point(end, u)), length)
     far = width**2 + (u - t)**2 >= LEVEL_EDGE**2
-    return strip if far and u >= t and strip.is_lawful(mpq(338, 100)) else None
+    return strip if far and strip.is_lawful(mpq(338, 100)) else None
 
 
-def test_one_gap_is_a_diagonal_or_a_centre(statements: list[Any]) -> None:
+def test_one_gap_is_a_diagonal_or_a_star(statements: list[Any]) -> None:
     source, met, seen = random.Random(7), set[str](), 0
-    while seen < 400:
+    while seen < 1000:
         if (strip := random_gap(source)) is None:
             continue
         seen += 1
         outline = [*strip.side, Point(strip.length, mpq(0)), Point(mpq(0), mpq(0))]
-        (a, t), (b, u) = strip.side
-        z = Point((a + b) / 2, (t + u) / 4)
-        assert z in list(centres(outline))
+        z = centre_of(strip)
         triangles = set()
-        for triangle, (prefix, values) in one_gap(strip):
-            met.add(prefix)
+        for triangle, leaves_of in one_gap(strip):
             triangles.add(triangle)
-            for problem in statements:
-                if problem.id.startswith(f"slanted.{prefix}"):
+            for prefix, values in leaves_of:
+                met.add(prefix)
+                problems = [s for s in statements if s.id.startswith(f"slanted.{prefix}")]
+                assert problems
+                for problem in problems:
                     assert all(given.holds(values) for given in problem.hypotheses), (problem.id, values)
         areas = [doubled_area(*((*outline, z)[v] for v in triangle)) for triangle in triangles]
         whole = doubled_area(*outline[2::-1]) + doubled_area(outline[3], outline[2], outline[0])
         assert min(areas) > 0 and sum(areas) == whole
-        assert value_of(strip, triangulate_one_sided(strip.side, outline[3], outline[2])) >= TUBE_FEATURE**2
-    assert met == {"one-slanted.", "split", "one-wide", "one-above.", "one-right.", "one-left.", "one-below."}
+        if any(4 in triangle for triangle in triangles):
+            assert z in stars(strip)
+        assert value_of(strip, triangulate_one_sided(strip.side, outline[3], outline[2])) >= FEATURE**2
+    assert met == {
+        "one-slanted.", "one-slanted-back", "one-slanted-bc-wide", "one-slanted-bc-steep", "one-slanted-bc-far",
+        "one-slanted-bd-wide", "one-slanted-bd-steep", "one-slanted-bd-far", "split", "one-near.", "one-shift",
+        "one-far-right", "one-far-b.", "one-above.", "one-right", "one-left", "one-below."}
+
+
+def stars(strip: Strip) -> list[Point]:
+    """Return the places at which the step puts a vertex that is joined to all."""
+    frame = strip.frame()
+    return [place for candidate in _centred(frame) for place in frame.piece((), candidate.steiner).steiner]

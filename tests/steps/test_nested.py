@@ -8,7 +8,7 @@ from gmpy2 import mpq
 
 from exactmesh.steps.constants import FEATURE_SQUARED, LEVEL
 from exactmesh.steps.frame import frame_of
-from exactmesh.steps.nested import nested_candidates
+from exactmesh.steps.nested import nested_below, nested_candidates
 
 
 def strip(gaps, height=LEVEL, lean=0, reach=0):
@@ -70,6 +70,35 @@ def test_there_is_one_new_vertex_over_each_gap_that_the_fans_leave(seed):
         for apex, (u, v) in apexes.items():
             if v < len(frame.u):
                 assert frame.u[u] < candidate.steiner[-1 - apex].x < frame.u[v]
+
+
+def slanted(seed):
+    """Return the frame of a strip with its clean side below it, from (0, 0) on; the T-side may slant by 1/4 there."""
+    source = random.Random(seed)
+    gaps = [mpq(source.randint(15, 60), 100) * mpq(10) ** source.randint(0, source.choice((0, 2)))
+            for _ in range(source.randint(2, 30))]
+    start, low, high = mpq(source.randint(-40, 300), 100), LEVEL, LEVEL * mpq(source.randint(4, 8), 4)
+    slope = (high - low) / max(sum(gaps), 4 * (high - low)) * source.choice((-1, 0, 1))
+    xs = [start]
+    for gap in gaps:
+        xs.append(xs[-1] + gap)
+    return frame_of([point(x, high + slope * (x - start)) for x in xs], point(0, 0), point(xs[-1] + start + 1, 0))
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_along_the_clean_side_it_tiles_and_keeps_a_fifth_of_the_height(seed):
+    frame = slanted(seed)
+    candidate = nested_below(frame)
+    points, faces = placed(frame, candidate)
+    assert untiled(points, outline(frame), faces) == []
+    assert candidate.value >= FEATURE_SQUARED * frame.scale_squared
+
+
+def test_along_a_clean_side_that_the_t_side_is_not_over_there_is_nothing():
+    t_side = [point(x, 1) for x in (0, 1, 2)]
+    for a, b in ((point(2, 0), point(0, 0)), (point(1, 0), point(1, 0)), (point(1, 0), point(1, -1)),
+                 (point(0, 0), point(2, 3))):
+        assert nested_below(frame_of(t_side, a, b)) is None
 
 
 def test_a_long_gap_is_one_vertex():

@@ -1,0 +1,15 @@
+; slanted.fan-behind: (A, v, w): the height over the side to one left of A
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const h Real)
+(declare-const q Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 q) (- (/ 599.0 5000.0))) 0.0))
+(assert (>= (+ (* 1.0 h) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) h) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 c) (* (- 1.0) h)) 0.0))
+(assert (>= (+ (* (- 1.0) x x) (* (- 1.0) y y) (/ 22099401.0 100000000.0)) 0.0))
+(assert (> (+ (* (- 1.0) c c q q) (* (/ 841.0 390625.0) x x) (* (/ 841.0 390625.0) y y)) 0.0))
+(check-sat)

@@ -1,0 +1,16 @@
+; slanted.low-sunk: how low c is: e' rises by 0.2381 at most over D
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const D Real)
+(declare-const c Real)
+(declare-const h Real)
+(declare-const s Real)
+(assert (> (* 1.0 D) 0.0))
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ (* (- 1.0) s) (/ 1.0 2.0)) 0.0))
+(assert (= (+ (* (/ 1.0 10.0) s s) (* 1.0 c) (- (/ 4.0 5.0))) 0.0))
+(assert (>= (+ (* 1.0 h) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) h) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) D h s) (* (- 1.0) h) (/ 4701.0 10000.0)) 0.0))
+(assert (> (+ (* (- 1.0) D D c) (* (/ 4.0 5.0) D D) (- (/ 527.0 5000.0))) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; slanted.place-ahead: below 90 degrees at A, D is beyond A: it is g from the edge before
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const c Real)
+(declare-const s Real)
+(declare-const t Real)
+(assert (= (+ (* 1.0 c c) (* 1.0 s s) (- 1.0)) 0.0))
+(assert (> (* 1.0 s) 0.0))
+(assert (>= (* 1.0 c) 0.0))
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 a s) (* (- 1.0) c t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (* (- 1.0) a) 0.0))
+(check-sat)

@@ -1,0 +1,11 @@
+; slanted.place-behind: so D behind A is no farther from A than k snapped, (q, t)
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const q Real)
+(declare-const t Real)
+(assert (>= (* (- 1.0) a) 0.0))
+(assert (>= (+ (* 1.0 a) (* (- 1.0) q)) 0.0))
+(assert (>= (+ (* (- 1.0) q q) (* (- 1.0) t t) (/ 22099401.0 100000000.0)) 0.0))
+(assert (> (+ (* 1.0 a a) (* 1.0 t t) (- (/ 22099401.0 100000000.0))) 0.0))
+(check-sat)
