@@ -6,13 +6,14 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from math import log
 from statistics import linear_regression, median
 from typing import Any
 
-from exactmesh.bench.inputs import LEAST
+from exactmesh.bench.inputs import FAMILIES, LEAST
 from exactmesh.bench.peers import PEERS, Case
 from exactmesh.bench.worker import STAGES, WITHOUT_MESH
 from exactmesh.errors import InputError
@@ -23,8 +24,9 @@ _GUESS, _GUESS_WITHOUT_MESH = 400e-6, 60e-6
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One input: seconds by stage, of the process (`cpu`) and of the clock (`wall`); memory in bytes, the greatest of
-    the process, and what it had before it read the input. `failure` says why there is nothing more."""
+    """One input of about `size` vertices: seconds by stage, of the process (`cpu`) and of the clock (`wall`); memory in
+    bytes, the greatest of the process, and what it had before it read the input. `failure` says why there is no
+    more."""
 
     family: str
     n: int
@@ -37,6 +39,7 @@ class Row:
     holds: bool = True
     decisions: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     failure: str = ""
+    size: int = 0
 
     @property
     def added_memory(self) -> int:
@@ -46,7 +49,8 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Beside:
-    """One comparison: seconds of ours and of another program in one process; `target` bounds their quotient."""
+    """One comparison at about `size` vertices: seconds of ours and of another program in one process; `target` bounds
+    their quotient."""
 
     peer: str
     family: str
@@ -55,6 +59,7 @@ class Beside:
     ours: float = 0.0
     theirs: float = 0.0
     failure: str = ""
+    size: int = 0
 
     @property
     def ratio(self) -> float | None:
@@ -91,21 +96,43 @@ class Results:
     interrupted: bool = False
 
 
-def measured(plan: Plan, progress: Callable[[str], None]) -> Results:
-    """Measure all that is planned, small inputs first; `progress` is told what is measured and how long the rest takes.
+NOTHING = Results((), ())
 
-    A process that fails, for lack of memory or otherwise, leaves a row that says so. An interrupt ends it all; what
-    there is by then is returned.
+
+def measured(plan: Plan, progress: Callable[[str], None], known: Results = NOTHING,
+             keep: Callable[[Results], None] = lambda results: None) -> Results:
+    """Measure all that is planned and not `known`, small inputs first, and return it with what is known; `progress` is
+    told what is measured and how long the rest takes, and `keep` all that there is after each measurement.
+
+    A process that fails, for lack of memory or otherwise, leaves a row that says so; it is not known. An interrupt ends
+    it all; what there is by then is returned.
     """
-    left = _Left(plan, progress)
-    rows: list[Row] = []
-    beside: list[Beside] = []
+    rows = {(row.family, row.size): row for row in known.rows if not row.failure}
+    beside = {(row.peer, row.family, row.size): row for row in known.beside if not row.failure}
+    planned = [(family, n) for n in plan.sizes for family in plan.families]
+    compared = {(name, case.family, n): case for name, case, n in plan.cases()}
+    inputs, cases = [key for key in planned if key not in rows], [key for key in compared if key not in beside]
+    left = _Left(progress, [*inputs, *((f"{name}, {family}", n) for name, family, n in cases)],
+                 _GUESS if plan.stages > WITHOUT_MESH else _GUESS_WITHOUT_MESH)
+
+    def found(interrupted: bool = False) -> Results:
+        order, peers = list(FAMILIES), list(PEERS)
+        return Results(sorted(rows.values(), key=lambda row: (row.size, order.index(row.family))),
+                       sorted(beside.values(), key=lambda row: (peers.index(row.peer), row.size,
+                                                                order.index(row.family))), interrupted)
+
     try:
-        _measure_inputs(plan, left, rows)
-        _measure_peers(plan, left, beside)
+        for family, n in inputs:
+            with left.timed():
+                rows[family, n] = _measured_input(family, n, plan.stages)
+            keep(found())
+        for name, family, n in cases:
+            with left.timed():
+                beside[name, family, n] = _measured_peer(name, compared[name, family, n], n)
+            keep(found())
     except KeyboardInterrupt:
-        return Results(rows, beside, interrupted=True)
-    return Results(rows, beside)
+        return found(interrupted=True)
+    return found()
 
 
 def exponent(points: Sequence[tuple[float, float]]) -> float | None:
@@ -118,25 +145,25 @@ def exponent(points: Sequence[tuple[float, float]]) -> float | None:
 class _Left:
     """Tells how long what is left will take, from the rates of what has been done: of the same family where known."""
 
-    def __init__(self, plan: Plan, progress: Callable[[str], None]) -> None:
+    def __init__(self, progress: Callable[[str], None], todo: Sequence[tuple[str, int]], guess: float) -> None:
         self.progress = progress
-        self.guess = _GUESS if plan.stages > WITHOUT_MESH else _GUESS_WITHOUT_MESH
-        self.todo = [(f, n) for n in plan.sizes for f in plan.families]
-        self.todo += [(f"{peer}, {case.family}", n) for peer, case, n in plan.cases()]
+        self.guess = guess
+        self.todo = list(todo)
         self.count = len(self.todo)
         self.rates: dict[str, float] = {}
 
-    def begin(self, name: str, n: int) -> None:
-        """Say what is measured next."""
+    @contextmanager
+    def timed(self) -> Iterator[None]:
+        """Say what is measured next, and take the time that it takes into account."""
+        name, n = self.todo[0]
         known = median(self.rates.values()) if self.rates else self.guess
         seconds = sum(size * self.rates.get(what, known) for what, size in self.todo)
         number = self.count - len(self.todo) + 1
         self.progress(f"{name}, {n} vertices ({number} of {self.count}, about {_duration(seconds)} left)")
-
-    def end(self, name: str, n: int, seconds: float) -> None:
-        """Take the time into account."""
+        start = time.perf_counter()
+        yield
         self.todo.pop(0)
-        self.rates[name] = seconds / n
+        self.rates[name] = (time.perf_counter() - start) / n
 
 
 def _duration(seconds: float) -> str:
@@ -144,35 +171,25 @@ def _duration(seconds: float) -> str:
         f"{seconds / 3600:.1f} h")
 
 
-def _measure_inputs(plan: Plan, left: _Left, rows: list[Row]) -> None:
-    for n in plan.sizes:
-        for family in plan.families:
-            left.begin(family, n)
-            start = time.perf_counter()
-            with tempfile.TemporaryDirectory(prefix="exactmesh-bench-") as folder:
-                path, out = os.path.join(folder, "p.json"), os.path.join(folder, "m.json")
-                made = _run({"task": "make", "family": family, "n": n, "path": path})
-                found = made if "failure" in made else _run(
-                    {"task": "pipeline", "path": path, "out": out, "stages": plan.stages})
-            left.end(family, n, time.perf_counter() - start)
-            given: dict[str, Any] = {"family": family, "n": n}
-            rows.append(Row(**given | found))
+def _measured_input(family: str, n: int, stages: int) -> Row:
+    with tempfile.TemporaryDirectory(prefix="exactmesh-bench-") as folder:
+        path, out = os.path.join(folder, "p.json"), os.path.join(folder, "m.json")
+        made = _run({"task": "make", "family": family, "n": n, "path": path})
+        found = made if "failure" in made else _run({"task": "pipeline", "path": path, "out": out, "stages": stages})
+    given: dict[str, Any] = {"family": family, "n": n, "size": n}
+    return Row(**given | found)
 
 
-def _measure_peers(plan: Plan, left: _Left, beside: list[Beside]) -> None:
-    for name, case, n in plan.cases():
-        peer = PEERS[name]
-        left.begin(f"{name}, {case.family}", n)
-        start = time.perf_counter()
-        if peer.is_there:
-            found = _run({"task": "peer", "peer": name, "family": case.family, "n": n})
-        else:
-            found = {"failure": f"not installed ({peer.module})"}
-        left.end(f"{name}, {case.family}", n, time.perf_counter() - start)
-        # The bound is for the full size.
-        given: dict[str, Any] = {"peer": name, "family": case.family, "n": n,
-                                 "target": case.target if n == case.n else None}
-        beside.append(Beside(**given | found))
+def _measured_peer(name: str, case: Case, n: int) -> Beside:
+    peer = PEERS[name]
+    if peer.is_there:
+        found = _run({"task": "peer", "peer": name, "family": case.family, "n": n})
+    else:
+        found = {"failure": f"not installed ({peer.module})"}
+    # The bound is for the full size.
+    target = case.target if n == case.n else None
+    given: dict[str, Any] = {"peer": name, "family": case.family, "n": n, "size": n, "target": target}
+    return Beside(**given | found)
 
 
 def _run(task: Mapping[str, object]) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from exactmesh.bench.inputs import WHAT
 from exactmesh.bench.measure import Beside, Results, Row, exponent
 from exactmesh.bench.peers import PEERS
 from exactmesh.bench.worker import STAGES
+from exactmesh.errors import InputError
 from exactmesh.report import table
 from exactmesh.reproduce.plot import Panel, Series, svg_of
 
@@ -111,6 +112,27 @@ def bench_json(results: Results, machine: str) -> str:
                                    "memory": exponent([(row.n, row.added_memory) for row in here])}
     return json.dumps({"machine": machine, "rows": [asdict(row) for row in results.rows], "growth": growth,
                        "peers": [asdict(row) | {"ratio": row.ratio} for row in results.beside]}, indent=1)
+
+
+def results_of(text: str, machine: str, path: str) -> Results:
+    """Return the measurements that `bench_json` wrote to the file `path`.
+
+    Raises `InputError` for another text, and for measurements of another machine.
+    """
+    try:
+        found = json.loads(text)
+        decisions = [{name: (by_floats, exactly) for name, (by_floats, exactly) in row["decisions"].items()}
+                     for row in found["rows"]]
+        rows = [Row(**row | {"decisions": each}) for row, each in zip(found["rows"], decisions, strict=True)]
+        beside = [Beside(**{key: value for key, value in row.items() if key != "ratio"}) for row in found["peers"]]
+        where = found["machine"]
+        if not {row.family for row in rows} <= WHAT.keys() or not {row.peer for row in beside} <= PEERS.keys():
+            raise ValueError
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        raise InputError(f"{path}: no measurements of exactmesh bench") from error
+    if where != machine:
+        raise InputError(f"{path}: measured on another machine: {where}")
+    return Results(rows, beside)
 
 
 def bench_svg(results: Results, machine: str) -> str:

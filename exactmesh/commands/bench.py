@@ -6,12 +6,13 @@ import sys
 from collections.abc import Callable, Iterable
 
 from exactmesh.bench.inputs import FAMILIES
-from exactmesh.bench.measure import measured, plan_of
+from exactmesh.bench.measure import NOTHING, Results, measured, plan_of
 from exactmesh.bench.peers import PEERS
-from exactmesh.bench.report import bench_json, bench_svg, bench_text
+from exactmesh.bench.report import bench_json, bench_svg, bench_text, results_of
 from exactmesh.bench.worker import STAGES, WITHOUT_MESH, machine
 from exactmesh.commands.exit_status import FAILS, HOLDS, INTERRUPTED
 from exactmesh.commands.options import Subparsers, add_quiet, make_folder
+from exactmesh.errors import InputError
 from exactmesh.io.atomic import write_text
 from exactmesh.progress import Progress
 
@@ -31,6 +32,7 @@ def add(commands: Subparsers) -> None:
                          help=f"only these of {', '.join(PEERS)}; - for none")
     command.add_argument("--no-mesh", action="store_true", help="read, validate and measure only")
     command.add_argument("-o", "--output", metavar="DIR", help="also write bench.txt, .json and .svg there")
+    command.add_argument("--resume", action="store_true", help="measure only what DIR does not have yet, and show all")
     command.add_argument("--json", action="store_true", help="print one JSON object")
     add_quiet(command)
     command.set_defaults(run=_run)
@@ -41,18 +43,38 @@ def _run(args: argparse.Namespace) -> int:
     plan = plan_of(args.families, sizes, args.short, WITHOUT_MESH if args.no_mesh else len(STAGES), args.peers)
     if args.output:
         make_folder(args.output)  # before the work: it may be refused
+    known = _known(args, plan.stages)
     with Progress(args.quiet) as progress:
-        results = measured(plan, progress)
-    texts = {"txt": bench_text(results, machine()) + "\n", "json": bench_json(results, machine()) + "\n",
-             "svg": bench_svg(results, machine())}
-    if args.output:
-        for ending, text in texts.items():
-            write_text(os.path.join(args.output, f"bench.{ending}"), text)
-    print(texts["json" if args.json else "txt"], end="")
+        results = measured(plan, progress, known, lambda found: _keep(args.output, found))
+    _keep(args.output, results)
+    print(bench_json(results, machine()) if args.json else bench_text(results, machine()))
     if results.interrupted:
         print("exactmesh: interrupted: the table has what was measured until then", file=sys.stderr)
         return INTERRUPTED
     return HOLDS if all(row.holds for row in results.rows) else FAILS
+
+
+def _known(args: argparse.Namespace, stages: int) -> Results:
+    """Return what an earlier run has measured; raises `InputError` if that were other stages."""
+    if not args.resume:
+        return NOTHING
+    if not args.output:
+        raise InputError("--resume needs -o DIR, where the measurements are")
+    path = os.path.join(args.output, "bench.json")
+    if not os.path.exists(path):
+        return NOTHING
+    with open(path, encoding="utf-8") as file:
+        found = results_of(file.read(), machine(), path)
+    if any(len(row.cpu) != stages for row in found.rows if not row.failure):
+        raise InputError(f"{path}: measured with and without meshes: choose another folder")
+    return found
+
+
+def _keep(folder: str | None, results: Results) -> None:
+    """Write all files of a folder, if there is one."""
+    if folder:
+        for ending, text_of in (("txt", bench_text), ("json", bench_json), ("svg", bench_svg)):
+            write_text(os.path.join(folder, f"bench.{ending}"), text_of(results, machine()) + "\n")
 
 
 def _sizes(text: str) -> list[int]:

@@ -135,6 +135,63 @@ def test_an_interrupt_keeps_what_was_measured(
     assert "interrupted" in shown.err
 
 
+def test_a_run_goes_on_where_another_ended(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    asked: list[object] = []
+
+    def run(task: dict[str, object]) -> dict[str, object]:
+        if task["task"] == "peer":
+            return {"n": 59, "ours": 1.0, "theirs": 2.0}
+        asked.append((task["task"], task.get("family")))
+        if len(asked) == 3:
+            raise KeyboardInterrupt
+        if len(asked) == 6:
+            return {"failure": "ended by signal 9"}
+        return {"n": 59, "cpu": dict.fromkeys(STAGES, 1.0), "decisions": {"orientation": [3, 1]}}
+
+    monkeypatch.setattr(measure, "_run", run)
+    command = ["bench", "--sizes", "60", "--families", "circle,comb,star", "--peers", "sect", "-o", str(tmp_path),
+               "--quiet", "--json"]
+    assert main(command) == 130
+    assert main([*command, "--resume"]) == 0
+    assert main([*command, "--resume"]) == 0
+    assert [family for task, family in asked if task == "make"] == ["circle", "comb", "comb", "star", "star"]
+    capsys.readouterr()
+    assert main([*command, "--resume"]) == 0
+    assert len(asked) == 8
+    found = json.loads(capsys.readouterr().out)
+    assert found == json.loads((tmp_path / "bench.json").read_text())
+    assert [(row["family"], row["n"], row["decisions"]) for row in found["rows"]] == [
+        (family, 59, {"orientation": [3, 1]}) for family in ("circle", "comb", "star")]
+    assert [row["ratio"] for row in found["peers"]] == [0.5]
+    # Another choice adds to what there is.
+    assert main(["bench", "--sizes", "80", "--families", "comb", "--peers", "-", "-o", str(tmp_path), "--quiet",
+                 "--resume"]) == 0
+    rows = json.loads((tmp_path / "bench.json").read_text())["rows"]
+    assert [(row["family"], row["size"]) for row in rows] == [("circle", 60), ("comb", 60), ("star", 60), ("comb", 80)]
+    assert main([*command, "--resume", "--no-mesh"]) == 2
+    assert "measured with and without meshes" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("text", "message"), [
+    ("{}", "no measurements of exactmesh bench"), ("[", "no measurements of exactmesh bench"),
+    ('{"machine": "m", "rows": [{"decisions": {}, "speed": 1}], "peers": []}', "no measurements of exactmesh bench"),
+    ('{"machine": "m", "rows": [], "peers": [{"peer": "p", "family": "star", "n": 9, "target": null}]}',
+     "no measurements of exactmesh bench"),
+    ('{"machine": "m", "rows": [], "peers": []}', "measured on another machine: m")])
+def test_only_own_measurements_are_gone_on_with(
+        text: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "bench.json"
+    path.write_text(text)
+    assert main(["bench", "--sizes", "60", "-o", str(tmp_path), "--resume", "--quiet"]) == 2
+    assert capsys.readouterr().err == f"exactmesh: {path}: {message}\n" and path.read_text() == text
+
+
+def test_going_on_needs_a_folder(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bench", "--resume", "--quiet"]) == 2
+    assert "--resume needs -o DIR" in capsys.readouterr().err
+
+
 def test_a_process_that_fails_leaves_a_row_and_the_rest_goes_on() -> None:
     found = measure._run({"task": "make", "family": "no such family", "n": 100, "path": "x"})
     assert "KeyError" in found["failure"]
