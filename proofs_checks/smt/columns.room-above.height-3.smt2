@@ -1,0 +1,16 @@
+; columns.room-above.height-3: BL, TR, TL = (l, H): the height from corner 3
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const b Real)
+(declare-const l Real)
+(declare-const r Real)
+(assert (>= (+ (* 1.0 b) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 b) (* (- 1.0) l) (* 1.0 r) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 l) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* (- 1.0) l) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (> (+ (* 2.0 H H b l) (* (- 2.0) H H b r) (* (- 1.0) H H b b) (* 2.0 H H l r) (* (- 1.0) H H l l) (* (- 1.0) H H r r) (* (/ 841.0 390625.0) H H) (* (/ 1682.0 390625.0) b r) (* (/ 841.0 390625.0) b b) (* (/ 841.0 390625.0) r r)) 0.0))
+(check-sat)

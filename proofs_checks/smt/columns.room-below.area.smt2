@@ -1,0 +1,16 @@
+; columns.room-below.area: BL, BR, TR = (b + r, H): counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const H Real)
+(declare-const b Real)
+(declare-const l Real)
+(declare-const r Real)
+(assert (>= (+ (* 1.0 b) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 b) (* (- 1.0) l) (* 1.0 r) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 l) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* (- 1.0) l) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* 1.0 H) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (* (- 1.0) H b) 0.0))
+(check-sat)
