@@ -200,8 +200,25 @@ def _new(o: Place, e: Place, a: Place, b: Place, shares: Sequence[Size]) -> Plac
     y = top.or_(known + (x + known) * (top + known).divided(leader + known))
     hub = Place(to_a + _SHARE * (to_b + to_a), _SHARE * (to_a + _SHARE * (to_b + to_a)))
     corner = Place(known, known)
-    back = Place(x, y).or_(hub, _centre(corner, corner, corner, corner)).dot(along)
+    star = Place(_HALF, _HALF * (to_a + slope * (_HALF + to_a)))
+    below = _below(Place(to_a, to_a), Place(to_b, to_b), shares)
+    back = Place(x, y).or_(hub, star, below, _centre(corner, corner, corner, corner)).dot(along)
     return Place(o.x + back, o.y + back)
+
+
+def _below(a: Place, b: Place, shares: Sequence[Size]) -> Place:
+    """Return the size, in the frame, of a vertex that is laid out along the clean side from a to b, as in `_new`."""
+    along = b.minus(a)
+    squared = along.dot(along)
+    beside, beyond, *leaders = (Place(share + a.x, a.y).dot(along).divided(squared) for share in shares)
+    end = Place(Size(1) + a.x, a.y).or_(a).dot(along).divided(squared)
+    slope = (end + end).divided(end + end)
+    height = end + _SHARE * end * (Size(1) + slope * slope * _HALF)
+    x, leader = (((u + v) * _HALF).or_(u + _HALF * end, v + _HALF * end, _HALF)
+                 for u, v in ((beside, beyond), leaders))
+    y = height.or_((x + Size(1)) * height.divided(leader + Size(1)))
+    back = x * along.x + y * along.y
+    return Place(a.x + back, a.y + back)
 
 
 def check_sizes(shape: Shape, offset: Offset, chords: Trapezoidation, interior: Patch, tube: Patch) -> Verdict:
