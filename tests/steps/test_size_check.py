@@ -65,7 +65,7 @@ def test_verdicts_say_all_there_is_to_say():
             verdicts.append((name, verdict(made)))
             for part in ("offset", "trapezoidation", "interior", "tube"):
                 record = getattr(made, part)
-                far = Point(mpq(1, 2**5_000), mpq(0))
+                far = Point(mpq(1, 2**200_000), mpq(0))
                 harmed = replace(made, **{part: replace(record, points=(*record.points[:-1], far))})
                 verdicts.append((f"{name}: {part}", verdict(harmed)))
         lines += verdicts
