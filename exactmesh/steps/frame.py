@@ -18,6 +18,8 @@ _ONE = mpq(1)
 Mode = Literal["AB", "A", "B"]
 MODES: tuple[Mode, ...] = ("AB", "A", "B")
 REACHES = (2, 1, 3)
+# The same in a frame along the clean side: two such fans do not meet over an edge of P.
+BELOW_REACH = 1
 
 
 # A face and the numbers of T-vertices on its three sides, the cycle starting at a corner.
@@ -118,6 +120,8 @@ class Frame:
         The lower end of the T-side has height h over the clean side; there the T-side has height 0 and less, the
         anchors have height h. None where h <= 0, or where the T-side does not go from left to right.
         """
+        if self.a == self.b:
+            return None
         a, along = self.a, minus(self.b, self.a)
         length_squared = dot(along, along)
         to_side = [minus(u, a) for u in self.points()[:-2]]

@@ -13,12 +13,9 @@ from itertools import pairwise
 from gmpy2 import mpq
 
 from exactmesh.geometry.point import Point
-from exactmesh.steps.frame import MODES, REACHES, Candidate, Frame, Trial
+from exactmesh.steps.frame import BELOW_REACH, MODES, REACHES, Candidate, Frame, Trial
 from exactmesh.steps.heights import height_squared
 from exactmesh.steps.records import Cycle
-
-# Two such fans do not meet over an edge of P.
-_BELOW_REACH = 1
 
 
 def layered_candidates(frame: Frame) -> Iterator[Candidate]:
@@ -45,7 +42,7 @@ def layered_below(frame: Frame) -> Candidate | None:
     So the triangles between rows are those of a strip, however much the T-side slants, and wherever the anchors are.
     """
     along = frame.along_clean_side()
-    gaps = along.gaps_between_fans(MODES[0], _BELOW_REACH) if along is not None else None
+    gaps = along.gaps_between_fans(MODES[0], BELOW_REACH) if along is not None else None
     if along is None or gaps is None:
         return None
     trial = _Layers(along, gaps, along.a.y).trial()

@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 from gmpy2 import mpq
 
-from exactmesh.geometry.point import Point, cross, dot, minus
-from exactmesh.steps.frame import MODES, REACHES, Candidate, Face, Frame, Mode, Trial
+from exactmesh.geometry.point import Point
+from exactmesh.steps.frame import BELOW_REACH, MODES, REACHES, Candidate, Face, Frame, Mode, Trial
 
 _ZERO = mpq(0)
 _HEIGHTS = (mpq(1, 5), mpq(23, 100))
@@ -57,32 +57,21 @@ def nested_trials(frame: Frame) -> Iterator[Trial]:
 def nested_below(frame: Frame) -> Candidate | None:
     """Return the nested triangulation that is laid out along the clean side, None where it has no place.
 
-    Heights are those over the clean side, which is of length 1 here, from (0, 0) to (1, 0), the T-side above it. So the
-    long triangles are those of a strip, however much the T-side slants, and wherever the anchors are. A leader keeps a
-    fifth of the height from the line of the T-side, for 1 + s^2/2 is above the root of 1 + s^2, s the slope.
+    So the long triangles are those of a strip, however much the T-side slants, and wherever the anchors are. A leader
+    keeps a fifth of the height from the line of the T-side, for 1 + s^2/2 is above the root of 1 + s^2, s the slope.
     """
-    a, along = frame.a, minus(frame.b, frame.a)
-    length_squared = dot(along, along)
-    places = [(dot(to, along) / length_squared, cross(to, along) / length_squared)
-              for to in (minus(Point(u, _ZERO), a) for u in frame.u)] if length_squared else []
-    if not places or places[0][0] >= places[-1][0]:
+    along = frame.along_clean_side()
+    gaps = along.gaps_between_fans(MODES[0], BELOW_REACH) if along is not None else None
+    if along is None or gaps is None:
         return None
-    xs = [x for x, _ in places]
-    h0 = min(places[0][1], places[-1][1])
-    start = max((j for j, x in enumerate(xs) if x <= h0), default=0)
-    end = min((j for j, x in enumerate(xs) if x >= 1 - h0), default=len(xs) - 1)
-    if h0 <= 0 or start >= end:
-        return None
-    u = tuple(xs[start : end + 1])
+    h0, xs, rise = along.a.y, along.u, along.rise
+    u = xs[gaps.start : gaps.stop + 1]
     insets = [min((v - w) / 2, _BELOW_INSET * h0) for w, v in pairwise(u)]
     z, z_x = _middle(u, insets, mpq(1, 2))
-    slope = (places[-1][1] - places[0][1]) / (xs[-1] - xs[0])
-    found = _over(frame, _Layout(start, end, z, _abscissae(u, insets, z, z_x)), Point(_ZERO, _ZERO),
-                  Point(mpq(1), _ZERO), h0 - _DEPTH * h0 * (1 + slope**2 / 2), _DEPTH * h0)
-    if found is None:
-        return None
-    apexes = tuple(Point(a.x + x * along.x + y * along.y, a.y + x * along.y - y * along.x) for x, y in found.steiner)
-    return Trial(found.faces, apexes).candidate(frame)
+    slope = (rise[-1] - rise[0]) / (xs[-1] - xs[0])
+    found = _over(along, _Layout(gaps.start, gaps.stop, z, _abscissae(u, insets, z, z_x)), along.a, along.b,
+                  _DEPTH * h0 * (1 + slope**2 / 2), _DEPTH * h0)
+    return None if found is None else Trial(found.faces, along.piece((), found.steiner).steiner).candidate(frame)
 
 
 class _Layout(NamedTuple):
