@@ -17,6 +17,7 @@ import exactmesh
 from exactmesh.geometry.point import Point
 from exactmesh.steps.constants import LEVEL, THICKNESS_MAX
 from exactmesh.steps.frame import frame_of
+from exactmesh.steps.heights import height_squared
 from exactmesh.steps.layers import layered_below, layered_trials
 from exactmesh.steps.records import Piece
 
@@ -50,6 +51,9 @@ class Layers:
         self.unit = min(self.k, SPACING)
         names = [*(f"u{j}" for j in range(len(side))), "A", "B",
                  *(f"{heights.index(p.y)},{self.rows[heights.index(p.y)].index(p.x)}" for p in piece.steiner)]
+        points = [*side, A, Point(length, mpq(0)), *piece.steiner]
+        self.least = min(height_squared(*(points[v if v >= 0 else len(side) + 1 - v] for v in face))
+                         for face in piece.faces if min(face) < 0)
         self.faces = sorted(sorted(names[v if v >= 0 else len(side) + 1 - v] for v in face) for face in piece.faces)
 
 
@@ -118,7 +122,7 @@ def assert_covered(script: Any, it: Layers) -> set[str]:
         good = [leaves for leaves in choices if all(holds(script, leaf, it.unit) for leaf in leaves)]
         assert good or not choices, choices
         met |= {prefix for leaves in good for prefix, _ in leaves}
-    assert sorted(faces) == it.faces
+    assert sorted(faces) == it.faces and it.least >= (script.KEPT * it.unit) ** 2
     return met
 
 
