@@ -8,7 +8,10 @@ Lengths are enclosed, not rounded. With D the computed difference of two points 
 a length is within 2**-50 |D| + 2 `error` of |D|. For the distance of p from the segment a b, with w = p - a and
 d = b - a: the place t of the nearest point, from 0 to 1, is computed within 8 * 2**-53 |w|/|d|, and |w - t d| grows by
 at most |d| for each unit of t; with the roundings of w - t d, the distance is within 2**-48 (|w| + |d|) + 8 `error`.
-A height is the doubled area, off by the bound given there, over the longest side.
+
+A height is the doubled area over the longest side. The area's bound is twice that of a determinant (given there), with
+P and S as there: 2**-49 P + 4 `error` S + 8 `error`**2. Of its 16 * 2**-53 P the determinant takes 4.01, the length at
+most 8, for P is no less than the area; the sums with the bound and with 2 `error`, and the division, one each.
 """
 
 from collections.abc import Sequence
@@ -137,8 +140,7 @@ class MeshFaces:
         low, high = np.empty(len(corners)), np.empty(len(corners))
         for part in stretches(len(corners)):
             low[part], high[part] = self._heights(corners[part])
-        if len(self.vertex) > 3 * len(self.cycles):
-            self._lower_by_t_vertices(low, high)
+        self._lower_by_t_vertices(low, high)
         near = np.flatnonzero(low <= high.min())
         note("least face feature", len(low), len(near))
         return min((face_feature_squared(self.columns.points, self.cycles[face], self._places(face)), face)
@@ -162,24 +164,28 @@ class MeshFaces:
         off = _AREA * (np.abs(abx * acy) + np.abs(aby * acx)) + 4 * e * (
             np.abs(abx) + np.abs(aby) + np.abs(acx) + np.abs(acy)) + 8 * e * e
         longest = np.maximum(np.maximum(np.hypot(abx, aby), np.hypot(acx, acy)), np.hypot(bcx, bcy))
-        low = np.maximum(area - off, 0.0) / (longest * (1 + _LENGTH) + 2 * e)
-        shortest = longest * (1 - _LENGTH) - 2 * e
-        high = np.divide(area + off, shortest, out=np.full(len(area), np.inf), where=shortest > 0)
-        return low * (1 - _LENGTH), high * (1 + _LENGTH)
+        low = np.maximum(area - off, 0.0) / (longest + 2 * e)
+        shortest = longest - 2 * e
+        return low, np.divide(area + off, shortest, out=np.full(len(area), np.inf), where=shortest > 0)
 
     def _lower_by_t_vertices(self, low: Floats, high: Floats) -> None:
-        """Lower the bounds of faces with T-vertices: to their sides, and to the distances of T-vertices from the two
-        sides of the triangle that they are not on."""
+        """Lower the bounds of faces with T-vertices: to the distances of T-vertices from the two sides of the triangle
+        that they are not on, and from the next T-vertex on their own.
+
+        No other edge counts: one from a T-vertex to a corner leads to one of those sides, and one between corners is no
+        shorter than a height.
+        """
         columns, e = self.columns, self.columns.error
         v = self.vertex
-        more = np.flatnonzero((np.diff(self.start) > 3)[self.face])
-        length = np.hypot(*columns.differences(v[more], v[self.following[more]]))
-        off = _LENGTH * length + 2 * e
-        np.minimum.at(low, self.face[more], length - off)
-        np.minimum.at(high, self.face[more], length + off)
         t = np.flatnonzero(self.turn == 0)
-        # The corners passed before an entry say which side it is on: 0 and 3 are the side from the last to the first.
-        passed = np.cumsum(self.turn > 0)[t] - 3 * self.face[t]
+        between = t[self.turn[self.following[t]] == 0]
+        length = np.hypot(*columns.differences(v[between], v[self.following[between]]))
+        off = _LENGTH * length + 2 * e
+        np.minimum.at(low, self.face[between], length - off)
+        np.minimum.at(high, self.face[between], length + off)
+        # The corners passed before an entry say which side it is on, three of them for each face before: 0 and 3 are
+        # the side from the last to the first.
+        passed = np.cumsum(self.turn > 0)[t]
         corners = self._corners()[self.face[t]]
         rows = np.arange(len(t))
         p, q, r = (v[corners[rows, (passed + k) % 3]] for k in (2, 0, 1))
@@ -191,8 +197,9 @@ class MeshFaces:
     def _distances(self, p: Ints, a: Ints, b: Ints) -> tuple[Floats, Floats]:
         """Return bounds of the distance of the points p from the segments a b."""
         (wx, wy), (dx, dy) = self.columns.differences(a, p), self.columns.differences(a, b)
-        squared = dx * dx + dy * dy
-        t = np.clip(np.divide(wx * dx + wy * dy, squared, out=np.zeros(len(p)), where=squared > 0), 0.0, 1.0)
+        # Either 1 at least, or both dx and dy are 0 and it does not matter what t is.
+        squared = np.maximum(dx * dx + dy * dy, 1.0)
+        t = np.clip((wx * dx + wy * dy) / squared, 0.0, 1.0)
         distance = np.hypot(wx - t * dx, wy - t * dy)
         off = _DISTANCE * (np.abs(wx) + np.abs(wy) + np.abs(dx) + np.abs(dy)) + 8 * self.columns.error
         return distance - off, distance + off

@@ -172,6 +172,101 @@ def test_bounds_of_heights_and_distances_contain_them_and_are_narrow(seed: int, 
     assert wide >= 300 and (infinite > 0) == bool(columns.error)
 
 
+# Points in a square of this side have units of 512, and what is left of one is rounded away.
+SIDE, UNIT = 2**110, 512
+
+
+def triples_in_units(seed: int) -> list[Point]:
+    """Return three points at a time that are a few units from each other, one maybe far away along an axis."""
+    source = random.Random(seed)
+    found = []
+    for number in range(800):
+        few = source.choice((3, 8, 40))
+        places = [[source.randint(0, few), source.randint(0, few)] for _ in range(3)]
+        if number % 2:
+            places[0][source.randint(0, 1)] += 2 ** source.choice((10, 60, 95))
+        source.shuffle(places)
+        found += [Point(*(mpq(UNIT * place + source.choice((0, 1, UNIT - 1))) for place in pair)) for pair in places]
+    return found
+
+
+def test_bounds_of_few_units_contain_what_they_bound_and_are_those_stated() -> None:
+    points = [*triples_in_units(7), Point(mpq(0), mpq(0)), Point(mpq(SIDE), mpq(SIDE)), Point(mpq(0), mpq(SIDE))]
+    columns = FixedPoints(points)
+    assert (columns.unit, columns.error) == (UNIT, 1)
+    rows = np.arange(len(points)).reshape(-1, 3)
+    faces = MeshFaces(columns, [tuple(row) for row in rows.tolist()])
+    with np.errstate(all="raise"):
+        height_low, height_high = faces._heights(rows)
+        near, far = faces._distances(rows[:, 2], rows[:, 0], rows[:, 1])
+    slack = 1 + mpq(1, 2**44)
+    finite = positive = edges = 0
+    for number, (i, j, k) in enumerate(rows.tolist()):
+        a, b, c = points[i], points[j], points[k]
+        ab, ac, bc = (tuple(mpq(part[0]) for part in columns.differences(np.array([u]), np.array([v])))
+                      for u, v in ((i, j), (i, k), (j, k)))
+        if a != b and b != c and c != a:
+            longest = max(distance_squared(a, b), distance_squared(b, c), distance_squared(c, a))
+            assert_enclosed(height_low[number], height_high[number], doubled_area(a, b, c) ** 2 / longest, UNIT)
+            assert_enclosed(near[number], far[number], segment_distance_squared(c, a, b), UNIT)
+        products = abs(ab[0] * ac[1]) + abs(ab[1] * ac[0])
+        absolute = sum(map(abs, (*ab, *ac)))
+        area, off = abs(ab[0] * ac[1] - ab[1] * ac[0]), products / 2**49 + 4 * absolute + 8
+        longest = sqrt_below(max(x * x + y * y for x, y in (ab, ac, bc)), 60)
+        if longest > 2:
+            assert height_high[number] <= (area + off) / (longest - 2) * slack
+            finite += 1
+        else:
+            assert height_high[number] == np.inf
+            edges += longest == 2
+        assert height_low[number] >= max(area - off, 0) / (longest + 2) * (2 - slack)
+        positive += height_low[number] > 0
+        assert far[number] - near[number] <= 2 * (sum(map(abs, (*ab, *ac))) / 2**48 + 8) * slack
+    assert finite > 700 and positive > 100 and edges > 3
+
+
+def test_bounds_of_small_whole_numbers_are_as_good_as_exact() -> None:
+    points = [Point(mpq(x), mpq(y)) for x in range(4) for y in range(4)]
+    columns = FixedPoints(points)
+    rows = np.array([(i, j, k) for i in range(16) for j in range(16) for k in range(16) if len({i, j, k}) == 3])
+    faces = MeshFaces(columns, [tuple(row) for row in rows.tolist()])
+    with np.errstate(all="raise"):
+        heights = faces._heights(np.arange(rows.size).reshape(-1, 3))
+        distances = faces._distances(rows[:, 2], rows[:, 0], rows[:, 1])
+    for number, (i, j, k) in enumerate(rows.tolist()):
+        a, b, c = points[i], points[j], points[k]
+        longest = max(distance_squared(a, b), distance_squared(b, c), distance_squared(c, a))
+        for (low, high), squared in ((heights, doubled_area(a, b, c) ** 2 / longest),
+                                     (distances, segment_distance_squared(c, a, b))):
+            assert_enclosed(low[number], high[number], squared, mpq(1))
+            assert high[number] - low[number] <= 2.0**-43
+
+
+def test_t_vertices_a_few_units_apart_bound_the_feature_by_their_distance() -> None:
+    corners = [(0, 0), (SIDE, 0), (0, SIDE)]
+    pairs = [(far, distance, first, second, upright) for far in (2**60, 2**100) for distance in (1, 2, 3, 7)
+             for first in (0, 1, UNIT - 1) for second in (0, 1, UNIT - 1) for upright in (False, True)]
+    points = [Point(mpq(x), mpq(y)) for x, y in corners]
+    cycles = []
+    for far, distance, first, second, upright in pairs:
+        ends = [UNIT * far + first, UNIT * (far + distance) + second]
+        points += [Point(*map(mpq, (0, end) if upright else (end, 0))) for end in ends]
+        u, v = len(points) - 2, len(points) - 1
+        cycles.append((0, 1, 2, v, u) if upright else (0, u, v, 1, 2))
+    columns = FixedPoints(points)
+    assert (columns.unit, columns.error) == (UNIT, 1)
+    faces = MeshFaces(columns, cycles)
+    assert faces.not_triangles() == []
+    low, high = np.full(len(cycles), np.inf), np.full(len(cycles), np.inf)
+    faces._lower_by_t_vertices(low, high)
+    for number, (_, distance, first, second, _) in enumerate(pairs):
+        assert mpq(low[number]) <= distance + mpq(second - first, UNIT) <= mpq(high[number])
+        assert high[number] - low[number] <= 4 + 2.0**-40
+    feature = faces.least_feature()
+    assert feature is not None and feature[0] == min(
+        (UNIT * distance + second - first) ** 2 for _, distance, first, second, _ in pairs)
+
+
 @pytest.mark.parametrize("move", MOVES)
 @pytest.mark.parametrize("name", MESHES)
 def test_bounds_of_faces_with_t_vertices_contain_their_features(name: str, move: str) -> None:
@@ -217,3 +312,30 @@ def test_a_triangle_is_not_refused_by_floats_alone() -> None:
     faces.turn = -faces.turn
     with pytest.raises(AssertionError, match=r"^floats refuse face 0, which is a triangle$"):
         faces.not_triangles()
+
+
+def test_a_walk_back_on_a_side_and_a_last_face_without_vertices_are_refused() -> None:
+    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (9, 0), (0, 9), (3, 0), (6, 0))]
+    faces = MeshFaces(FixedPoints(points), [(0, 4, 3, 1, 2), (0, 3, 4, 1, 2), ()])
+    assert faces.not_triangles() == [(0, NotTriangle("turns back, or stands still,", 4)),
+                                     (2, NotTriangle("has fewer than three vertices", -1))]
+
+
+def test_indices_take_half_the_memory_where_they_are_small(monkeypatch: pytest.MonkeyPatch) -> None:
+    points = [Point(mpq(x), mpq(y)) for x, y in ((0, 0), (1, 0), (1, 1))]
+    for many, wanted in ((4, np.int32), (3, np.int64), (2, np.int64)):
+        monkeypatch.setattr(module, "_MANY", many)
+        faces = MeshFaces(FixedPoints(points), [(0, 1, 2)])
+        sides = faces.sides()
+        for indices in (faces.vertex, faces.face, faces.following, faces.before, sides.first, sides._sorted_first):
+            assert indices.dtype == wanted
+        assert faces.turn.dtype == np.int8
+        assert faces.face[sides.repeated].tolist() == faces.face[sides.owner].tolist() == []
+
+
+def test_keys_are_whole_numbers_of_any_size() -> None:
+    faces = MeshFaces(FixedPoints([]), [])
+    faces.columns.points = range(2**31 - 3)  # type: ignore[assignment]
+    ends = np.array([2**31 - 4, 2**31 - 5], np.int32)
+    assert faces.key(ends, ends[::-1]).tolist() == [(2**31 - 4) * (2**31 - 3) + 2**31 - 5,
+                                                    (2**31 - 5) * (2**31 - 3) + 2**31 - 4]
