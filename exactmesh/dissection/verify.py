@@ -137,16 +137,17 @@ def _piece_refusal(number: int, piece: Piece) -> Refusal | None:
 def _is_convex(polygon: Polygon) -> bool:
     """Return whether each corner turns left and the sides turn once around in all.
 
-    With left turns alone, the sides change from upwards to downwards as often as they go round.
+    With left turns alone, each of less than half a turn, the sides change from downwards to not downwards as often as
+    they go round.
     """
     count = len(polygon)
-    upwards = []
+    downwards = []
     for i in range(count):
         p, q, r = polygon[i - 1], polygon[i], polygon[(i + 1) % count]
         if sign_of(_turn, p.x, p.y, q.x, q.y, r.x, r.y) <= 0:
             return False
-        upwards.append(p.y < q.y or (p.y == q.y and p.x < q.x))
-    return sum(upwards[i - 1] != upwards[i] for i in range(count)) == 2
+        downwards.append(p.y > q.y)
+    return sum(downwards[i - 1] != downwards[i] for i in range(count)) == 2
 
 
 def _turn(px: Any, py: Any, qx: Any, qy: Any, rx: Any, ry: Any) -> Any:
@@ -154,8 +155,9 @@ def _turn(px: Any, py: Any, qx: Any, qy: Any, rx: Any, ry: Any) -> Any:
 
 
 def _is_rotation(motion: Motion) -> bool:
+    """Return whether the matrix is orthogonal with determinant 1: of a unit vector and this one turned left."""
     a, b, c, d = motion[:4]
-    return (a * a + c * c == 1 and b * b + d * d == 1 and not a * b + c * d and a * d - b * c == 1)
+    return a == d and b == -c and a * a + c * c == 1
 
 
 def _doubled_area(polygon: Polygon) -> Real:

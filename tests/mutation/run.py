@@ -54,6 +54,7 @@ TARGETS: Mapping[str, Sequence[str]] = {
     "exactmesh/measure/mesh_faces.py": ("tests/measure/test_mesh_faces.py",),
     "exactmesh/proofs/certificate.py": PROOFS,
     "exactmesh/proofs/polynomial.py": PROOFS,
+    "exactmesh/dissection/verify.py": ("tests/dissection/test_verify_dissection.py",),
     "exactmesh/certificate/record.py": ("tests/certificate/test_record.py",),
     **{f"exactmesh/steps/{name}_check.py": (f"tests/steps/test_{name}_check.py",) for name in STEPS},
     "exactmesh/steps/paper_tube_unsnapped_check.py": ("tests/steps/test_paper_tube_check.py",),
