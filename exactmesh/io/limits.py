@@ -26,9 +26,9 @@ class Limits(NamedTuple):
     or by its exponent. `items`: of all its lists, counted by what separates them.
     """
 
-    bytes: int = 1 << 30
+    bytes: int = 3 << 29
     digits: int = 100_000
-    items: int = 50_000_000
+    items: int = 100_000_000
 
 
 # What separates items. More is counted than there is in strings and between aligned columns, never less.
