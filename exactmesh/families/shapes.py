@@ -3,7 +3,9 @@
 Corners are rational and listed counter-clockwise; a function depends on its arguments only. Nothing is validated here.
 """
 
+from collections.abc import Callable
 from fractions import Fraction
+from itertools import accumulate
 
 from gmpy2 import mpq
 
@@ -42,12 +44,12 @@ def comb(teeth: int, floor: Number | None = None, spacing: str = "even", level_d
     ("doubling"), scaled to the floor. The tips lie at 1 plus a multiple 0, 3, 1, 4, 2, 0, ... of
     `level_difference`: 0 puts all on one level, 1e-6 on five nearly equal levels.
     """
-    gaps = {"even": [1] * (teeth + 1),
-            "uneven": [(1, 5, 2, 11)[i % 4] for i in range(teeth + 1)],
-            "doubling": [2**i for i in range(teeth + 1)]}[spacing]
+    widths: dict[str, Callable[[int], int]] = {
+        "even": lambda i: 1, "uneven": lambda i: (1, 5, 2, 11)[i % 4], "doubling": lambda i: 2**i}
+    ends = list(accumulate(map(widths[spacing], range(teeth + 1))))
     length = mpq(2 * teeth + 2 if floor is None else floor)
-    unit = length / sum(gaps)
-    tips = [unit * sum(gaps[: i + 1]) for i in range(teeth)]
+    unit = length / ends[-1]
+    tips = [unit * end for end in ends[:-1]]
     top = 1 + mpq(depth)
     corners: list[Pair] = [(0, 0), (length, 0), (length, top)]
     for i in range(teeth - 1, -1, -1):
