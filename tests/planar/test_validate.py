@@ -23,6 +23,7 @@ from exactmesh.planar.validate import (
     HolePointOnBoundary,
     VertexOnEdge,
     VerticesCoincide,
+    swept,
     validate,
 )
 
@@ -304,6 +305,12 @@ def test_an_error_names_the_indices_and_the_exact_place(graph: Pslg, fields: Def
 def test_two_hole_points_may_coincide_and_mark_what_is_below_them() -> None:
     below = validate(pslg(SQUARE, RING, [(1, 1), (1, 1), (5, 5), (1, -1)]))
     assert below.hole == (0, 0, -1, -1)
+
+
+def test_a_sweep_tells_the_order_of_the_points_and_how_they_turn() -> None:
+    found = swept(pslg(SQUARE, RING, [(1, 1)]))
+    assert list(found.rank) == [0, 3, 4, 1, 2]
+    assert [found.turns.orientation(*triple) for triple in ((0, 1, 2), (1, 0, 4), (0, 4, 2))] == [1, -1, 0]
 
 
 def test_many_edges_at_one_vertex_pass_and_any_of_them_twice_does_not() -> None:
