@@ -1,0 +1,15 @@
+; columns-tube.clean-above.area: (z, C, D), z straight down: counter-clockwise
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 507.0 10000.0))) 0.0))
+(assert (>= (+ (* (- (/ 7.0 20.0)) d r) (* (- (/ 7.0 10.0)) d t)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; columns-tube.clean-above.height-3: (z, C, D), z straight down: the height from corner 3
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 507.0 10000.0))) 0.0))
+(assert (> (+ (* (- (/ 49.0 100.0)) d d r t) (* (- (/ 49.0 400.0)) d d r r) (* (- (/ 49.0 100.0)) d d t t) (* (/ 49729.0 400000000.0) d d) (* (/ 5917751.0 10000000000.0) r t) (* (/ 14371681.0 40000000000.0) r r) (* (/ 2436721.0 10000000000.0) t t)) 0.0))
+(check-sat)

@@ -1,0 +1,18 @@
+; columns-tube.clean-right-az: (A, z, D), D right of A: the height over az
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const a Real)
+(declare-const d Real)
+(declare-const r Real)
+(declare-const t Real)
+(assert (>= (+ (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (* 1.0 t) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) r) (* (- 1.0) t) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* (- 1.0) r) (/ 29.0 625.0)) 0.0))
+(assert (>= (+ (* 1.0 d) (- (/ 507.0 10000.0))) 0.0))
+(assert (>= (* 1.0 a) 0.0))
+(assert (>= (+ (* 1.0 a) (* 1.0 d) (- (/ 61.0 250.0))) 0.0))
+(assert (> (+ (* (/ 3.0 20.0) a r) (* (- (/ 7.0 10.0)) a t) (* (- (/ 1.0 2.0)) d t) (* (/ 29.0 625.0) a) (* (/ 29.0 1250.0) d) (* (/ 87.0 12500.0) r) (* (/ 87.0 6250.0) t)) 0.0))
+(check-sat)

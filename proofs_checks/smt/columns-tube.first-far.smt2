@@ -1,0 +1,15 @@
+; columns-tube.first-far: (A, v, v0), v0 left of A: the height over A-v
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const k Real)
+(declare-const q Real)
+(declare-const w Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 q) (- (/ 3.0 40.0))) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 k) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) k) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) q) (* 1.0 w)) 0.0))
+(assert (> (+ (* (- 1.0) k k w w) (* (/ 49729.0 100000000.0) q q) (* (/ 49729.0 100000000.0) y y)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; columns-tube.gap-down: s > 1.29, e' made less steep: y > 1.29 x
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const z Real)
+(assert (> (* 1.0 x) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (>= (* 1.0 z) 0.0))
+(assert (>= (+ (* 1.0 y) (* (- 1.0) z) (/ 29.0 125.0)) 0.0))
+(assert (>= (+ (* (- 1.0) y) (* 1.0 z) (/ 29.0 125.0)) 0.0))
+(assert (>= (+ (* 1.0 y) (* (- 1.0) z)) 0.0))
+(assert (> (+ (* 1.0 x y) (* (- 1.0) x z) (* (- (/ 129.0 100.0)) x x) (* (- (/ 129.0 100.0)) y z)) 0.0))
+(assert (>= (+ (* (/ 129.0 100.0) x) (* (- 1.0) y)) 0.0))
+(check-sat)

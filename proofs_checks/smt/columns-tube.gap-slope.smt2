@@ -1,0 +1,12 @@
+; columns-tube.gap-slope: w below 0.0459 needs s > 1.29
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const s Real)
+(declare-const w Real)
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ (* (- 1.0) s) (/ 1547.0 1000.0)) 0.0))
+(assert (>= (* 1.0 w) 0.0))
+(assert (>= (+ (* 1.0 s s w w) (* 1.0 w w) (- (/ 9.0 1600.0))) 0.0))
+(assert (> (+ (* (- 1.0) w) (/ 459.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) s) (/ 129.0 100.0)) 0.0))
+(check-sat)

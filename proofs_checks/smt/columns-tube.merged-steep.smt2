@@ -1,0 +1,16 @@
+; columns-tube.merged-steep: the same, w less
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const k Real)
+(declare-const w Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 k) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) k) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 w) (- (/ 407.0 10000.0))) 0.0))
+(assert (>= (+ (* 1.0 x) (/ 1103.0 10000.0)) 0.0))
+(assert (>= (+ (* (- 1.0) x) (/ 1103.0 10000.0)) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (>= (+ (* 1.0 k) (* (- 1.0) y) (/ 711.0 5000.0)) 0.0))
+(assert (> (+ (* (- 1.0) k k w w) (* (/ 49729.0 100000000.0) x x) (* (/ 49729.0 100000000.0) y y)) 0.0))
+(check-sat)

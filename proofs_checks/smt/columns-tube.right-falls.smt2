@@ -1,0 +1,18 @@
+; columns-tube.right-falls: e' falls by s: the height over A-v, v either
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const d Real)
+(declare-const s Real)
+(declare-const w Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* (- 1.0) x) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) y) (/ 4701.0 10000.0)) 0.0))
+(assert (>= (+ (* 1.0 w) (- (/ 407.0 10000.0))) 0.0))
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (* 1.0 d) 0.0))
+(assert (>= (+ (* (- 1.0) d) (* 1.0 x)) 0.0))
+(assert (> (+ (* (- 1.0) d d s s w w) (* (- 2.0) d s w w y) (* (- 1.0) w w y y) (* (/ 49729.0 100000000.0) x x) (* (/ 49729.0 100000000.0) y y)) 0.0))
+(check-sat)
