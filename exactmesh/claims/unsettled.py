@@ -19,9 +19,6 @@ UNSETTLED = MappingProxyType({
     "table-1.internal": _WHOLE + "`exactmesh reproduce table1` shows the growth",
     "theorem-3.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.internal-degradation`)"),
-    "theorem-3.triangulation": (
-        "internal meshes trim chords and pass vertices on from room to room, up to the boundary, in more kinds of "
-        "cases than have been listed; every mesh is verified, and no exception is known"),
     "repaired.internal-degradation": (
         "polygons between columns from chord to chord are proved; those with parts of legs or steps, at the ends of "
         "rooms and at the ends of edges, some 40 kinds, are not; the worst of all searches is 22.04"),

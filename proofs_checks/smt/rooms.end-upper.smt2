@@ -1,0 +1,13 @@
+; rooms.end-upper: that foot, its vertex, and the one before: turns left
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const l Real)
+(declare-const w Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (> (* 1.0 l) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* 1.0 w) (- (/ 29.0 125.0))) 0.0))
+(assert (> (+ (* 1.0 l) (* (- 1.0) x)) 0.0))
+(assert (>= (+ (* (- 1.0) l w) (* 1.0 w x)) 0.0))
+(check-sat)

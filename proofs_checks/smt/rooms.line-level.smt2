@@ -1,0 +1,18 @@
+; rooms.line-level: e' = (m c, 0) has a vertex inside, so m c >= 0.15, and m k <= g: above p
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const k Real)
+(declare-const m Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (> (* 1.0 m) 0.0))
+(assert (> (* 1.0 c) 0.0))
+(assert (>= (* 1.0 k) 0.0))
+(assert (>= (+ (* 1.0 c m) (- (/ 3.0 20.0))) 0.0))
+(assert (>= (+ (* (- 1.0) k m) (/ 29.0 125.0)) 0.0))
+(assert (>= (+ (* (- 1.0) x) (/ 3.0 40.0)) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* 1.0 c k m x) (* (- 1.0) c c m y)) 0.0))
+(check-sat)

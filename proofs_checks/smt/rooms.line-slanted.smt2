@@ -1,0 +1,17 @@
+; rooms.line-slanted: forward by u > 0.075 c, up by g c at most, from (x, y), x <= 0.075: above p
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const c Real)
+(declare-const u Real)
+(declare-const x Real)
+(declare-const y Real)
+(declare-const z Real)
+(assert (>= (* 1.0 c) 0.0))
+(assert (> (+ (* (- (/ 3.0 40.0)) c) (* 1.0 u)) 0.0))
+(assert (>= (+ (* (/ 29.0 125.0) c) (* (- 1.0) z)) 0.0))
+(assert (>= (* 1.0 z) 0.0))
+(assert (>= (+ (* (- 1.0) x) (/ 3.0 40.0)) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 29.0 125.0))) 0.0))
+(assert (>= (+ (* (- 1.0) u y) (* 1.0 x z)) 0.0))
+(check-sat)
