@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import combinations, product
+from itertools import combinations, permutations, product
 from math import gcd, log2
 from typing import Any, TypeAlias
 
@@ -305,6 +305,13 @@ def test_an_error_names_the_indices_and_the_exact_place(graph: Pslg, fields: Def
 def test_two_hole_points_may_coincide_and_mark_what_is_below_them() -> None:
     below = validate(pslg(SQUARE, RING, [(1, 1), (1, 1), (5, 5), (1, -1)]))
     assert below.hole == (0, 0, -1, -1)
+
+
+@pytest.mark.parametrize("numbers", list(permutations(range(3))))
+def test_edges_that_become_neighbours_where_one_between_them_ends_are_compared(numbers: tuple[int, ...]) -> None:
+    ends = [(0, 1), (2, 3), (4, 5)]
+    graph = pslg([(0, 0), (4, 4), (0, 4), (4, 0), (0, 2), (1, 2)], [ends[i] for i in numbers])
+    assert judged(graph) == "EdgesCross"
 
 
 def test_a_sweep_tells_the_order_of_the_points_and_how_they_turn() -> None:
