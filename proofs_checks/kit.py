@@ -178,7 +178,9 @@ def main(name: str, theorems: Iterable[Theorem], statements: Iterable[Statement]
     for statement in statements:
         problems.append(settle(statement, old.get(statement.id)))
         print(_line(problems[-1]), flush=True)
-    group = Group(name, tuple(theorems), tuple(problems))
+    # A script may name a lemma for several of its cases.
+    once = tuple(replace(theorem, problems=tuple(dict.fromkeys(theorem.problems))) for theorem in theorems)
+    group = Group(name, once, tuple(problems))
     missing = [problem.id for problem in problems if problem.certificate is None]
     print(f"{name}: {len(problems) - len(missing)} of {len(problems)} have certificates")
     if "--write" in sys.argv:

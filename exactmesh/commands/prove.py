@@ -23,5 +23,6 @@ def add(commands: Subparsers) -> None:
 def _run(args: argparse.Namespace) -> int:
     with Progress(args.quiet) as progress:
         results = list(prove(args.id, args.fast, args.seconds, progress))
-    print(proofs_json(results) if args.json else summary_text(summaries(results), results))
-    return FAILS if contradiction(results) else HOLDS
+    found = summaries(results)
+    print(proofs_json(results) if args.json else summary_text(found, results))
+    return FAILS if contradiction(results) or not all(summary.stands for summary in found) else HOLDS

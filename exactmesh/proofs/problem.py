@@ -133,6 +133,8 @@ def group_from_json(data: Mapping[str, Any]) -> Group:
         theorems = tuple(Theorem(t["claim"], t["shows"], t["says"], tuple(t["problems"]), t["by_hand"], t["tight"],
                                  tuple(t.get("claims", ())))
                          for t in data["theorems"])
+        if twice := [t.claim for t in theorems if len(set(t.problems)) < len(t.problems)]:
+            raise Refused(f"a problem is named twice for {twice[0]}")
         return Group(data["name"], theorems, tuple(_problem(p) for p in data["problems"]))
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise Refused(f"malformed file of proofs: {error}") from error

@@ -10,13 +10,18 @@ from exactmesh.claims.ledger import CLAIMS
 from exactmesh.claims.status import ledger
 from exactmesh.proofs import prove as prove_module
 from exactmesh.proofs import registry
+from exactmesh.proofs.certificate import Refused
 from exactmesh.proofs.engines import ENGINES, Engine, installed
-from exactmesh.proofs.registry import groups, is_proved
+from exactmesh.proofs.problem import group_from_json, json_from_group
+from exactmesh.proofs.registry import groups, is_proved, theorems
 
 
 def test_fast_mode_re_checks_all_certificates(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["prove", "--fast", "--quiet"]) == 0
-    assert "certificate: " in capsys.readouterr().out
+    shown = capsys.readouterr().out
+    assert "certificate: " in shown and "NOT PROVED" not in shown
+    claims = sorted(theorem.claim for theorem in theorems())
+    assert sorted(line.split()[0] for line in shown.splitlines()[1 : len(claims) + 1]) == claims
 
 
 def test_json_has_the_keys_of_the_formats_document(capsys: pytest.CaptureFixture[str]) -> None:
@@ -46,6 +51,23 @@ def test_a_proof_that_fails_is_an_exit_status(monkeypatch: pytest.MonkeyPatch, c
         monkeypatch.setattr(module, "groups", lambda: (broken,))
     assert cli.main(["prove", "--fast", "--quiet"]) == 1
     assert "NOT PROVED" in capsys.readouterr().out
+
+
+def test_what_rests_on_an_open_claim_is_an_exit_status(
+        monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    group = next(group for group in groups() if any(theorem.claims for theorem in group.theorems))
+    resting = tuple(replace(theorem, claims=("section-1.linear-time",)) for theorem in group.theorems)
+    for module in (prove_module, registry):
+        monkeypatch.setattr(module, "groups", lambda: (replace(group, theorems=resting),))
+    assert cli.main(["prove", "--fast", "--quiet"]) == 1
+    assert "NOT PROVED" in capsys.readouterr().out
+
+
+def test_a_theorem_names_a_problem_once() -> None:
+    group = groups()[0]
+    theorem = replace(group.theorems[0], problems=group.theorems[0].problems * 2)
+    with pytest.raises(Refused, match=f"a problem is named twice for {theorem.claim}"):
+        group_from_json(json_from_group(replace(group, theorems=(theorem,))))
 
 
 def test_nothing_is_both_proved_and_refuted() -> None:
