@@ -7,8 +7,8 @@ Claim   room     between two columns from chord to chord: the diagonal from bott
         tube     between two columns onto an edge of P, W >= 0.06 apart: the diagonal from the lower end on e'
 Method  combinations, a problem a height.
 Tight   a room of least width and height keeps 0.058.
-By hand everything else of an internal mesh, which is why no claim follows: polygons with a part of a leg or a step of a
-        trimmed chord, those at the ends of rooms, and those in the Tube at an end of an edge of P.
+By hand what is in neither this script nor `repaired_columns_legs` (a chord and one leg, steps), nor in
+        `repaired_columns_tube` (the Tube): polygons with more parts, which is why no claim follows.
 """
 
 from gmpy2 import mpq
@@ -38,8 +38,8 @@ GROUP = "columns"
 THEOREMS = [Theorem(
     "repaired.internal-degradation", "part", "polygons between columns from chord to chord keep g/5",
     tuple(statement.id for statement in STATEMENTS),
-    "`quad` takes the better diagonal. Polygons with a part of a leg or of a trimmed chord's step, at the ends of "
-    "rooms and at the ends of edges of P are not covered, nor is it proved how near neighbours on a leg are.",
+    "`quad` takes the better diagonal. Polygons with parts of legs or steps are no part of this; nor is it proved how "
+    "near neighbours on a leg are.",
     "0.058, at the least width and height")]
 
 if __name__ == "__main__":

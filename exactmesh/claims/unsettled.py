@@ -20,8 +20,8 @@ UNSETTLED = MappingProxyType({
     "theorem-3.degradation": (
         _WHOLE + "for the repaired construction it is checked on every run (`repaired.internal-degradation`)"),
     "repaired.internal-degradation": (
-        "polygons between columns from chord to chord are proved; those with parts of legs or steps, at the ends of "
-        "rooms and at the ends of edges, some 40 kinds, are not; the worst of all searches is 22.04"),
+        "given the gaps between feet, faces of the Tube, polygons from chord to chord and those with one leg are "
+        "proved; those with legs on both sides or more parts are not; the worst of all searches is 22.04"),
     "repaired.proper-degradation": (
         "proved is 22 (1 + log2 n), `repaired.proper-degradation-22`: the number of gaps in a piece is counted with "
         "room to spare; the worst of all searches is 8.04 (1 + log2 n)"),

@@ -1,0 +1,15 @@
+; columns-legs.below-behind: the height over F0-P1 then
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const q Real)
+(declare-const w Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 x) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 w) (- (/ 113.0 2000.0))) 0.0))
+(assert (>= (+ (* 1.0 q) (/ 31.0 5000.0)) 0.0))
+(assert (>= (* (- 1.0) q) 0.0))
+(assert (>= (* 1.0 y) 0.0))
+(assert (>= (+ (* (/ 57.0 50.0) w) (* (- 1.0) y)) 0.0))
+(assert (> (+ (* (- 1.0) w w x x) (* (/ 49729.0 100000000.0) q q) (* (/ 49729.0 100000000.0) y y)) 0.0))
+(check-sat)

@@ -1,0 +1,15 @@
+; columns-legs.below-leg: the height over the leg
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const e Real)
+(declare-const s Real)
+(declare-const w Real)
+(declare-const x Real)
+(assert (>= (+ (* 1.0 x) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 e) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* (- 1.0) e) (/ 3.0 40.0)) 0.0))
+(assert (>= (* 1.0 s) 0.0))
+(assert (>= (+ (* 1.0 w) (- (/ 113.0 2000.0))) 0.0))
+(assert (>= (+ (* (- (/ 81.0 40000.0)) s s) (* 1.0 w w) (- (/ 81.0 40000.0))) 0.0))
+(assert (> (+ (* (/ 49729.0 100000000.0) s s x x) (* (- 1.0) w w x x) (* (/ 49729.0 100000000.0) x x)) 0.0))
+(check-sat)

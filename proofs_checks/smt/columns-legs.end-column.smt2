@@ -1,0 +1,13 @@
+; columns-legs.end-column: (corner, F, P): the height over P-F
+; unsat: true for all reals
+(set-logic QF_NRA)
+(declare-const p Real)
+(declare-const x Real)
+(declare-const y Real)
+(assert (>= (+ (* 1.0 p) (- (/ 43.0 625.0))) 0.0))
+(assert (>= (+ (* 1.0 y) (- (/ 9.0 200.0))) 0.0))
+(assert (>= (+ (* (- 1.0) p) (* 1.0 x) (/ 3.0 40.0)) 0.0))
+(assert (>= (+ (* 1.0 p) (* (- 1.0) x) (/ 3.0 40.0)) 0.0))
+(assert (>= (* 1.0 x) 0.0))
+(assert (> (+ (* (- 1.0) p p y y) (* (- (/ 49729.0 50000000.0)) p x) (* (/ 49729.0 100000000.0) p p) (* (/ 49729.0 100000000.0) x x) (* (/ 49729.0 100000000.0) y y)) 0.0))
+(check-sat)
