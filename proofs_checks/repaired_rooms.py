@@ -140,6 +140,20 @@ TRIMMING = [
     states("rooms.two", "two neighbours of Q on a chord on the same side of a vertex are not both within 0.075",
            (at_least(x, SEPARATION), at_least(y, SEPARATION)), more(x + y, MERGE)),
 ]
+GAPS = [
+    states("rooms.depth", "o <= r: the foot at f is within 0.171 of the chord",
+           (LEG, at_least(o), at_least(r, o), at_least(r + o + MERGE, L)), more(3 * r, L)),
+    states("rooms.depth-edges", "L < o: the same, as the edges of c and f do not cross",
+           (LEG, more(L), more(o, L), at_least(TRIM * L, LEVEL * (o - r))), more(3 * r, L)),
+    bounded("rooms.far", "a foot h before the far level, on a leg of slope 0.057/r, and the corner there",
+            (LEG, at_least(h, LEVEL - 3 * TRIM)),
+            lambda f: at_least(h * h * (TRIM * TRIM + r * r), MERGE**2 * mpq(f)**2 * TRIM**2),
+            Hint(degrees=(2, 3, 4), squares=(h, r))),
+    bounded("rooms.beside", "v, x beside the end of a leg of slope s, is 0.0599 from it: that end and what is below v",
+            (more(s), more(x), at_least(s * s * x * x, SEPARATION**2 * (1 + s * s))),
+            lambda f: at_least(x * x * (1 + s * s), MERGE**2 * mpq(f)**2),
+            Hint(degrees=(2, 3, 4, 6), squares=(s, x, s * s - 1))),
+]
 COLUMNS = [
     states("rooms.order", "columns from x and y > x: where both are ends to choose from, the nearest are in order",
            (more(y, x), more(p, q), at_least((q - x)**2, (p - x)**2), at_least((p - y)**2, (q - y)**2)), None,
@@ -188,7 +202,7 @@ FEET = [
     left("end-lower", "p, a foot at l, and a vertex before it", AT_END, (spot(0, 0), spot(l, 0), spot(x, y))),
     left("end-upper", "that foot, its vertex, and the one before", AT_END, (spot(l, 0), spot(l, w), spot(x, y))),
 ]
-STATEMENTS = [*TRIMMING, *COLUMNS, *AT_P, *FEET]
+STATEMENTS = [*TRIMMING, *GAPS, *COLUMNS, *AT_P, *FEET]
 
 PATHS = (
     "In units of the ifs. I1 (`offset`) speaks of a corner and its edges alone. "
@@ -235,7 +249,13 @@ TUBE_WORDS = (
     "around a triangle to p and p'; in one, e' is longer), or level with a vertex inside, over 0.075 from its ends: "
     "its line is above p (`line`), and they are a triangle (`fan`). Caps turn left, divided or not. No edge has the "
     "face on both sides, so what is put on it splits nothing else, and it is split at all feet.")
-INTERNAL = tuple(statement.id for statement in STATEMENTS)
+GAP_WORDS = (
+    "Neighbours on an edge of Q: vertices on two levels are g apart. A foot is over 0.075 beside c, and from the far "
+    "corner of its leg as `far` says. A new vertex is over 0.075 beside all of its room's chain but a neighbour of v "
+    "that is on both chains, where v is on the chord that begins there: `beside`. On a level edge it is over 0.075 "
+    "from its neighbours, as on a chord. Two vertices of Q on a chord or a level edge are on different edges of Q, and "
+    "a chord end is on one: 0.0599 apart. ")
+INTERNAL = tuple(statement.id for statement in (*TRIMMING, *COLUMNS, *AT_P, *FEET))
 TUBE_NAMES = (*(statement.id for statement in TUBE), *FAR, "gaps.reach", "gaps.reach-upper")
 SEPARATE = (*(statement.id for statement in SEPARATIONS), "offset.separation", "offset.reaches", "nesting.wedge")
 GROUP = "rooms"
@@ -256,6 +276,10 @@ THEOREMS = [
             "by program: 48 kinds of pieces, 1024 corners, small polygons", (
             "repaired.interior-tiling", "repaired.offset-thickness", "repaired.offset-separation",
             "repaired.offset-nesting")),
+    Theorem("repaired.internal-degradation", "part", "neighbours on an edge of Q keep 0.075, but 0.0599 where two "
+            "vertices of Q are joined by a level edge; on chords 0.0599, and over 0.075 if one of them is new", tuple(
+                statement.id for statement in (*GAPS, *TRIMMING, *COLUMNS)), GAP_WORDS + ROOMS + PATHS,
+            "0.0763 is the least that was seen on a leg, 0.0755 on a chord", ("repaired.offset-separation",)),
 ]
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from exactmesh.claims.run import Run
 from exactmesh.families.domains import polygon_with_holes
 from exactmesh.families.random_polygons import random_simple_polygon, spike_with_ledges
 from exactmesh.families.shapes import comb
+from exactmesh.geometry.distance import distance_squared
 from exactmesh.planar.pslg import Pslg
 from exactmesh.steps.columns import _Columns
 from exactmesh.steps.constants import LEVEL, MERGE, SEPARATION
@@ -67,6 +68,8 @@ def assert_as_argued(pslg: Pslg) -> int:
                 if kind == CHORD:
                     new = {w for w in (u, v) if w >= first}
                     assert gap > MERGE if new else gap >= SEPARATION
+                elif kind >= 0:
+                    assert distance_squared(points[u], points[v]) >= MERGE**2
             for place in range(1, len(room.chain[t]) - 1):
                 if columns._needs_edge(room, t, place):
                     assert points[room.chain[t][place]].y == (room.level(t) + mpq(1, 2)) * LEVEL
