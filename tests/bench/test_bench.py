@@ -150,6 +150,7 @@ def test_a_run_goes_on_where_another_ended(
         return {"n": 59, "cpu": dict.fromkeys(STAGES, 1.0), "decisions": {"orientation": [3, 1]}}
 
     monkeypatch.setattr(measure, "_run", run)
+    monkeypatch.setitem(PEERS, "sect", replace(PEERS["sect"], module="json"))  # a module that is there
     command = ["bench", "--sizes", "60", "--families", "circle,comb,star", "--peers", "sect", "-o", str(tmp_path),
                "--quiet", "--json"]
     assert main(command) == 130
